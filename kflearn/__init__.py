@@ -1,0 +1,1 @@
+"""kflearn: the small package behind the course."""
