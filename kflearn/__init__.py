@@ -1,1 +1,48 @@
-"""kflearn: the small package behind the course."""
+"""kflearn: Kalman filters written to be read, the package behind the course.
+
+Beliefs are Gaussians with a mean (..., n) and a covariance (..., n, n); models say how a state moves and is measured;
+filters take a model, measurements (..., T, m) and an initial belief and return a Track. Everything broadcasts over
+leading axes: a thousand runs are one call.
+"""
+
+from . import scenarios
+from .consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
+from .filtering import (
+    correct,
+    cubature_kalman_filter,
+    extended_kalman_filter,
+    kalman_filter,
+    kalman_step,
+    predict,
+    start_from,
+    unscented_kalman_filter,
+)
+from .gaussian import Gaussian
+from .models import LinearModel, NonlinearModel, cart, constant_velocity, numerical_jacobian, random_walk
+from .simulation import simulate
+
+__all__ = [
+    "Gaussian",
+    "LinearModel",
+    "NonlinearModel",
+    "cart",
+    "chi_square_interval",
+    "constant_velocity",
+    "correct",
+    "coverage",
+    "cubature_kalman_filter",
+    "extended_kalman_filter",
+    "kalman_filter",
+    "kalman_step",
+    "nees",
+    "nis",
+    "numerical_jacobian",
+    "predict",
+    "random_walk",
+    "rmse",
+    "scenarios",
+    "simulate",
+    "start_from",
+    "unscented_kalman_filter",
+    "whiteness",
+]

@@ -1,0 +1,275 @@
+"""Predict, correct, and the one loop over a series.
+
+`correct` is Gaussian conditioning: K = C S⁻¹ with the cross-covariance C of state and measurement. For a linear model
+C = P⁻Hᵀ and these are eqs (5)–(9). Kalman, extended, unscented, cubature and linearised filters differ only in
+`through`, the way a Gaussian is pushed through a function (see `moments`).
+
+Start convention, everywhere: `initial` is the belief one step BEFORE the first measurement. Every step predicts, then
+corrects (FilterPy does the same; pykalman, statsmodels and dynamax hold it at the first measurement).
+"""
+
+import numpy as np
+
+from . import _checks as check
+from .arguments import check_belief, check_control, check_model, check_series
+from .gaussian import Gaussian, symmetric, trusted
+from .models import LinearModel, apply, at
+from .moments import cubature, linearize, spread, unscented
+from .recursion import linear_recursion
+from .results import Track, divide, hide
+
+
+def predict(model, belief, u=None, k=0, through=linearize):
+    """The belief one step later, before its measurement: eqs (5) and (6).
+
+    belief: Gaussian with mean (..., n); u: control input (p,) or (..., p), or a number when p = 1; k: the step, for
+    time-varying models. Returns a Gaussian. Raises ValueError or TypeError where the pieces do not fit.
+    """
+    check_model(model)
+    check_belief("belief", belief, model)
+    if u is not None:
+        u = np.atleast_1d(check.numbers("u", u))
+        check_control(model, u)
+    return _predict(model, belief, u, k, through)
+
+
+def correct(model, belief, z, k=0, through=linearize):
+    """The predicted belief after the measurement z: eqs (7)–(9).
+
+    z: (m,) or (..., m), or a number when m = 1; NaN marks components that were not measured. Returns a Gaussian.
+    Raises ValueError or TypeError where the pieces do not fit.
+    """
+    check_model(model)
+    check_belief("belief", belief, model)
+    z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
+    return _correct(model, belief, z, k, through)[0]
+
+
+def kalman_filter(model, z, initial, u=None):
+    """The Kalman filter over a series, or over many series at once: eqs (5)–(9).
+
+    model: LinearModel. z: (..., T, m), or (T,) when m = 1; NaN = that component was not measured.
+    initial: Gaussian, the belief one step before the first measurement.
+    u: control input (..., T, p), or (T,) when p = 1; u[k] acts on the way to z[k].
+    Returns a Track. Raises ValueError or TypeError, naming the argument, before anything is computed.
+    """
+    return linear_filter(model, z, initial, u, _update)
+
+
+def extended_kalman_filter(model, z, initial, u=None):
+    """The extended Kalman filter: every function is replaced by its tangent at the latest estimate.
+
+    model: NonlinearModel (Jacobians given or by differences) or LinearModel. Arguments and result as in kalman_filter,
+    but covariances and gains depend on the data and carry the batch axes. Source: Bar-Shalom et al. 2001, ch. 10.3.
+    """
+    return gaussian_filter(model, z, initial, u, linearize)
+
+
+def unscented_kalman_filter(model, z, initial, u=None, alpha=1.0, beta=2.0, kappa=0.0):
+    """The unscented Kalman filter, sigma points redrawn after Q was added. Source: Wan and van der Merwe 2000.
+
+    Arguments and result as in extended_kalman_filter. With n states λ = α²(n + κ) − n.
+    """
+    check_model(model)
+    return gaussian_filter(model, z, initial, u, unscented(model.n, alpha, beta, kappa))
+
+
+def cubature_kalman_filter(model, z, initial, u=None):
+    """The cubature Kalman filter, points redrawn after Q was added. Source: Arasaratnam and Haykin 2009.
+
+    Arguments and result as in extended_kalman_filter.
+    """
+    check_model(model)
+    return gaussian_filter(model, z, initial, u, cubature(model.n))
+
+
+def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None):
+    """One step with defaults, as the published `kalmanf` meant it.
+
+    z (m,), R (m, m) are needed; F and H default to the identity, Q to zero. Without x and P the filter starts itself
+    from the measurement: x = H⁻¹ z, P = H⁻¹ R H⁻ᵀ, and nothing is predicted. Returns the Gaussian after the step.
+    Raises ValueError when the start is known only in part (x without P, NaN in x), or when H cannot be inverted.
+    """
+    z = np.atleast_1d(check.numbers("z", z))
+    H = np.eye(z.shape[-1]) if H is None else check.matrix("H", H, z.shape[-1], None)
+    n = H.shape[-1]
+    model = LinearModel(np.eye(n) if F is None else F, H, np.zeros((n, n)) if Q is None else Q, R, B)
+    if x is None and P is None:
+        return start_from(model, z)
+    if x is None or P is None:
+        missing, given = ("x", "P") if x is None else ("P", "x")
+        raise ValueError(f"{missing} must be given together with {given}: give both, or neither to start from z")
+    if np.isnan(check.numbers("x", x, gaps=True)).any():
+        raise ValueError("x must be known completely, found NaN: leave out x and P to start from z")
+    return correct(model, predict(model, Gaussian(x, P), u), z)
+
+
+def start_from(model, z):
+    """The belief that one measurement alone gives, x = H⁻¹ z and P = H⁻¹ R H⁻ᵀ: a start when nothing else is known.
+
+    model: LinearModel with an invertible H; z: (..., m), or a number when m = 1. Raises ValueError when H is not square
+    or is singular.
+    """
+    H, R = at(model.H, 0), at(model.R, 0)
+    z = check.shape("z", np.atleast_1d(check.numbers("z", z)), (model.m,))
+    if model.m != model.n or np.linalg.matrix_rank(H) < model.n:
+        raise ValueError(f"H of shape {H.shape} must be invertible to start from z: not every state is measured")
+    half = np.linalg.solve(H, R)
+    return Gaussian(np.linalg.solve(H, z[..., None])[..., 0], symmetric(np.linalg.solve(H, half.mT)))
+
+
+def linear_filter(model, z, initial, u, update):
+    """A filter whose gains do not depend on the data: first all gains, once, then the means of every run.
+
+    update(P, S, cross, H, R) → gain and corrected covariance is what sets variants apart.
+    """
+    if not isinstance(model, LinearModel):
+        raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
+    z, u = check_series(model, z, initial, u)
+    missing = np.isnan(z)
+    predicted_cov, S, gain, cov = _gains(model, initial.cov, missing, update)
+    keep = np.eye(model.n) - gain @ model.H
+    drive = _each(gain, np.where(missing, 0, z) if missing.any() else z)
+    if u is not None:
+        drive = drive + _each(keep @ model.B, u)
+    mean = linear_recursion(keep @ model.F, drive, initial.mean)
+    T = z.shape[-2]
+
+    def predicted():
+        first = np.broadcast_to(initial.mean, (*mean.shape[:-2], model.n))[..., None, :]
+        moved = _each(model.F, np.concatenate([first, mean[..., :-1, :]], axis=-2))
+        return trusted(moved if u is None else moved + _each(model.B, u), _hold(predicted_cov, T))
+
+    def innovation():
+        return trusted(z - _each(model.H, track.predicted.mean), _hold(S, T))
+
+    track = Track(trusted(mean, _hold(cov, T)), _hold(gain, T), predicted, innovation)
+    return track
+
+
+def _gains(model, P, missing, update):
+    """Covariances and gains: predicted P, S, K, corrected P, each (..., steps, ·, ·), for all T steps or, when nothing
+    changes any more after fewer, for these."""
+    T, m = missing.shape[-2:]
+    n = model.n
+    gaps = missing.any()
+    if gaps and (missing == missing.reshape(-1, T, m)[0]).all():
+        missing = missing.reshape(-1, T, m)[0]  # the same gaps in every run: one gain sequence serves all
+    stacks = [M for M in (model.F, model.H, model.Q, model.R, model.B) if M is not None and M.ndim > 2]
+    batch = np.broadcast_shapes(P.shape[:-2], missing.shape[:-2] if gaps else (), *(M.shape[:-3] for M in stacks))
+    constant = not gaps and all(M.shape[-3] == 1 for M in stacks)
+    P = np.broadcast_to(P, (*batch, n, n))
+    arrays = [np.empty((*batch, T, *shape)) for shape in ((n, n), (m, m), (n, m), (n, n))]
+    for k in range(T):
+        before = P
+        F, H, R = at(model.F, k), at(model.H, k), at(model.R, k)
+        P = predicted = spread(F, P)[0] + at(model.Q, k)
+        moved, cross = spread(H, P)
+        innovation = S = moved + R
+        if gaps:
+            S, cross, H, R = _without(missing[..., k, :], S, cross, H, R)
+        gain, P = update(predicted, S, cross, H, R)
+        for array, value in zip(arrays, (predicted, innovation, gain, P), strict=True):
+            array[..., k, :, :] = value
+        if constant and k % 8 == 7 and _unchanged(P, before):
+            return [array[..., : k + 1, :, :] for array in arrays]
+    return arrays
+
+
+def _hold(array, T):
+    """An array (..., steps, ·, ·) made T long by holding its last entry."""
+    rest = T - array.shape[-3]
+    last = array[..., -1:, :, :]
+    held = np.broadcast_to(last, (*last.shape[:-3], rest, *last.shape[-2:]))
+    return np.concatenate([array, held], axis=-3) if rest else array
+
+
+def _unchanged(P, before):
+    """Has a covariance come to rest? Judged against its own variances, a few roundings wide."""
+    variance = np.diagonal(P, axis1=-2, axis2=-1)
+    scale = np.sqrt(variance[..., :, None] * variance[..., None, :])
+    return (abs(P - before) <= 1e-14 * scale).all()
+
+
+def gaussian_filter(model, z, initial, u, through):
+    """The loop for models whose covariances depend on the data: predict, correct, predict, correct …"""
+    check_model(model)
+    z, u = check_series(model, z, initial, u)
+    batch = np.broadcast_shapes(z.shape[:-2], initial.mean.shape[:-1], () if u is None else u.shape[:-2])
+    n, T = model.n, z.shape[-2]
+    belief = trusted(np.broadcast_to(initial.mean, (*batch, n)), np.broadcast_to(initial.cov, (*batch, n, n)))
+    steps = []
+    for k in range(T):
+        predicted = _predict(model, belief, None if u is None else u[..., k, :], k, through)
+        belief, gain, innovation = _correct(model, predicted, z[..., k, :], k, through)
+        steps.append((predicted, belief, innovation, gain))
+    predicted, filtered, innovation, gains = zip(*steps, strict=True)
+    return Track(_along(filtered), np.stack(gains, -3), lambda: _along(predicted), lambda: _along(innovation))
+
+
+def _predict(model, belief, u, k, through):
+    def move(x):
+        # Sigma points have one axis more than the mean; a control input of its own for each run must follow.
+        wide = u is not None and u.ndim > 1 and x.ndim > belief.mean.ndim
+        return model.move(x, u[..., None, :] if wide else u, k)
+
+    moved = through(belief, move, lambda x: model.move_slope(x, u, k))
+    return trusted(moved.mean, moved.cov + at(model.Q, k))
+
+
+def _correct(model, predicted, z, k, through):
+    expected = through(predicted, lambda x: model.measure(x, k), lambda x: model.measure_slope(x, k), model.difference)
+    R, missing = at(model.R, k), np.isnan(z)
+    full = S = expected.cov + R
+    cross, H = expected.cross, expected.matrix
+    innovation = model.difference(z, expected.mean)
+    y = innovation
+    if missing.any():
+        S, cross, H, R = _without(missing, S, cross, H, R)
+        y = np.where(missing, 0, innovation)
+    gain, P = _update(predicted.cov, S, cross, H, R)
+    return trusted(predicted.mean + apply(gain, y), P), gain, trusted(innovation, full)
+
+
+def _update(P, S, cross, H, R):
+    """Gain and corrected covariance, eqs (7) and (9), the latter in a form that is right for any gain."""
+    gain = divide(cross, S)
+    return gain, covariance_after(gain, P, S, cross, H, R)
+
+
+def covariance_after(gain, P, S, cross, H, R):
+    """What a correction with `gain` leaves of P: Joseph's form, (I−KH)P(I−KH)ᵀ + KRKᵀ, positive whatever K is.
+
+    Without a matrix H (sigma points) the same thing multiplied out: P − KCᵀ − CKᵀ + KSKᵀ.
+    """
+    if H is None:
+        half = gain @ (cross - gain @ S / 2).mT
+        return P - half - half.mT
+    keep = np.eye(P.shape[-1]) - gain @ H
+    return symmetric(spread(keep, P)[0] + spread(gain, R)[0])
+
+
+def _without(missing, S, cross, H, R):
+    """The pieces of a correction when some components (..., m) are missing: they get no gain and disturb nothing."""
+    seen = ~missing
+    H = None if H is None else H * seen[..., :, None]
+    return hide(S, missing), cross * seen[..., None, :], H, hide(R, missing)
+
+
+def _each(M, v):
+    """M_k v_k for all steps: M (..., steps, n, m) or (n, m), v (..., T, m); the last of fewer matrices holds on."""
+    if M.ndim == 2:
+        return apply(M, v)
+    if M.ndim > 3:
+        return np.matvec(_hold(M, v.shape[-2]), v)
+    # One matrix a step serves all runs: put the runs last and use matrix products.
+    wide = np.moveaxis(v, (-2, -1), (0, 1)).reshape(*v.shape[-2:], -1)
+    out = np.empty((len(wide), M.shape[-2], wide.shape[-1]))
+    np.matmul(M, wide[: len(M)], out=out[: len(M)])
+    out[len(M) :] = M[-1] @ wide[len(M) :]
+    return np.moveaxis(out.reshape(*out.shape[:2], *v.shape[:-2]), (0, 1), (-2, -1))
+
+
+def _along(beliefs):
+    """Gaussians of single steps as one Gaussian along time."""
+    return trusted(np.stack([b.mean for b in beliefs], -2), np.stack([b.cov for b in beliefs], -3))

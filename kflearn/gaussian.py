@@ -1,0 +1,117 @@
+"""A belief: a mean and a covariance, and what one can do with the two."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import _checks as check
+
+
+@dataclass(frozen=True, eq=False)
+class Gaussian:
+    """The normal law N(mean, cov). The second number is a VARIANCE, not a standard deviation.
+
+    mean: (..., n) in the units of the state; a plain number stands for n = 1.
+    cov: (..., n, n) in the squared units; its leading axes broadcast against those of the mean, so that one
+        covariance may serve many means. A plain number is a variance; with n > 1 it must be a matrix.
+
+    Raises ValueError or TypeError, naming `mean` or `cov`, when the two do not fit or cov is no covariance.
+    """
+
+    mean: np.ndarray
+    cov: np.ndarray
+
+    def __post_init__(self):
+        mean = np.atleast_1d(check.numbers("mean", self.mean).copy())
+        cov = check.covariance("cov", self.cov, mean.shape[-1])
+        try:
+            np.broadcast_shapes(mean.shape[:-1], cov.shape[:-2])
+        except ValueError:
+            raise ValueError(f"cov of shape {cov.shape} does not fit a mean of shape {mean.shape}") from None
+        object.__setattr__(self, "mean", mean)
+        object.__setattr__(self, "cov", cov)
+
+    @property
+    def variance(self):
+        """The diagonal of the covariance, (..., n)."""
+        return np.diagonal(self.cov, axis1=-2, axis2=-1)
+
+    @property
+    def std(self):
+        """The standard deviations, (..., n), in the units of the mean."""
+        return np.sqrt(self.variance)
+
+    def fuse(self, other):
+        """The product of two independent opinions about the same quantity, eqs (10)–(14).
+
+        K = P₁ (P₁ + P₂)⁻¹, mean = μ₁ + K (μ₂ − μ₁), cov = P₁ − K P₁. Raises ValueError where P₁ + P₂ is singular: two
+        opinions that are both exact cannot be fused.
+        """
+        if not isinstance(other, Gaussian):
+            raise TypeError(f"other must be a Gaussian, got {type(other).__name__}")
+        if other.mean.shape[-1] != self.mean.shape[-1]:
+            raise ValueError(f"other must have {self.mean.shape[-1]} components, got {other.mean.shape[-1]}")
+        total = check.covariance("the sum of the two covariances", self.cov + other.cov, definite=True)
+        gain = np.linalg.solve(total, self.cov).mT
+        mean = self.mean + np.matvec(gain, other.mean - self.mean)
+        return trusted(mean, symmetric(gain @ other.cov))  # K P₂ = P₁ − K P₁, without the subtraction
+
+    def marginal(self, indices):
+        """What is believed about some of the components alone: `indices` is one index or a list of them."""
+        keep = np.atleast_1d(indices)
+        if keep.dtype.kind not in "iu" or keep.ndim != 1 or (abs(keep + 0.5) > self.mean.shape[-1]).any():
+            raise ValueError(f"indices must be whole numbers below {self.mean.shape[-1]}, got {indices!r}")
+        return trusted(self.mean[..., keep], self.cov[..., keep[:, None], keep])
+
+    def sample(self, size=(), rng=None):
+        """Random draws, shape (*size, ..., n). `rng` is a numpy Generator or a seed."""
+        rng = np.random.default_rng(rng)
+        size = (size,) if np.ndim(size) == 0 else tuple(size)
+        batch = np.broadcast_shapes(self.mean.shape[:-1], self.cov.shape[:-2])
+        return self.mean + np.matvec(root(self.cov), rng.standard_normal((*size, *batch, self.mean.shape[-1])))
+
+    def ellipse(self, sigmas=2, points=61):
+        """The contour at `sigmas` standard deviations of a two-dimensional Gaussian, (..., points, 2), closed."""
+        if self.mean.shape[-1] != 2:
+            raise ValueError(f"an ellipse needs 2 components, this Gaussian has {self.mean.shape[-1]}: take a marginal")
+        angle = np.linspace(0, 2 * np.pi, points)
+        circle = sigmas * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        return self.mean[..., None, :] + circle @ root(self.cov).mT
+
+    def __format__(self, spec):
+        """`f"{belief:.3f}"` writes N(mean, variance) with every number in that format."""
+
+        def write(array):
+            if array.ndim == 0:
+                return format(float(array), spec or ".6g")
+            return "[" + ", ".join(write(part) for part in array) + "]"
+
+        mean, cov = (self.mean[..., 0], self.cov[..., 0, 0]) if self.mean.shape[-1] == 1 else (self.mean, self.cov)
+        return f"N({write(mean)}, {write(cov)})"
+
+    def __repr__(self):
+        if self.mean.ndim == 1 and self.cov.ndim == 2:
+            return format(self)
+        return f"Gaussian(mean of shape {self.mean.shape}, cov of shape {self.cov.shape})"
+
+
+def trusted(mean, cov):
+    """A Gaussian from arrays that our own formulas made: no checks, no copies."""
+    belief = object.__new__(Gaussian)
+    object.__setattr__(belief, "mean", mean)
+    object.__setattr__(belief, "cov", cov)
+    return belief
+
+
+def symmetric(P):
+    """The symmetric part of P: rounding errors must not make a covariance lopsided."""
+    return (P + P.mT) / 2
+
+
+def root(P):
+    """A matrix A with A Aᵀ = P: the Cholesky factor, or, for a singular P, the one from its eigenvectors."""
+    try:
+        return np.linalg.cholesky(P)
+    except np.linalg.LinAlgError:
+        values, vectors = np.linalg.eigh(P)
+        return vectors * np.sqrt(np.maximum(values, 0))[..., None, :]

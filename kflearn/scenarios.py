@@ -1,0 +1,126 @@
+"""Every system of the course: the filter's model, the process that really made the data, and the belief at the start.
+
+Each function makes a `Scenario`; its keyword `variant` chooses between the published form and corrected or more honest
+ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 2022 (see the sources in lesson 00).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .gaussian import Gaussian
+from .models import LinearModel, random_walk
+from .models import cart as cart_model
+from .simulation import Simulation, simulate
+
+
+@dataclass(frozen=True, eq=False)
+class Scenario:
+    """One system of the course.
+
+    model: what the filter assumes; initial: what it believes one step before the first measurement; truth_model: what
+    really happens; truth_start: where that starts, a state (n,) or a Gaussian to draw from; steps: T; u: the control
+    input (T, p) known to the filter, truth_u the one that really acts.
+    """
+
+    description: str
+    model: LinearModel
+    initial: Gaussian
+    truth_model: LinearModel
+    truth_start: Gaussian | np.ndarray
+    steps: int
+    u: np.ndarray | None = None
+    truth_u: np.ndarray | None = None
+
+    def simulate(self, runs=None, rng=None):
+        """Simulation with .x (runs, T, n), .z (runs, T, m), .u (T, p); without `runs` a single run, no first axis."""
+        truth = simulate(self.truth_model, self.truth_start, self.steps, self.truth_u, runs, rng)
+        return Simulation(truth.x, truth.z, self.u)
+
+
+def cart():
+    """[KP] Newton's cart, one step of one second: it rolls at 10 m/s and a tape measure reads 62 m.
+
+    State [position (m), velocity (m/s)], Q = diag(2², 0), R = 1²; start [50, 10] with P = diag(1, 0). No force acts.
+    The step must end at 61.6667 m with variance 0.8333 m².
+    """
+    model = cart_model(dt=1.0, mass=1.0, Q=np.diag([4.0, 0.0]), R=1.0)
+    initial = Gaussian([50, 10], np.diag([1.0, 0.0]))
+    return Scenario("A cart rolls at 10 m/s past a tape measure.", model, initial, model, initial, steps=1)
+
+
+def voltmeter(variant="published", Q=4.0, R=4.0, steps=20):
+    """[KP] A voltmeter reads a source of about 12 V, `steps` times.
+
+    The filter believes in a random walk with variance Q (V²) a step and noise of variance R (V²), both 2² = 4 as
+    published. What really happens, with the published 2 V and 2 V whatever the filter believes:
+    variant "published": each reading meets a new, independent voltage N(12, 2²);
+    variant "random walk": the voltage starts at N(12, 2²) and drifts by N(0, 2²) a step, as the filter assumes;
+    variant "constant": the source stays at 12 V.
+    The filter starts knowing nothing: N(0, 100²). (As published it starts at its first reading: `start_from`.)
+    """
+    truths = {
+        "published": (LinearModel(F=0, H=1, Q=4, R=4, B=1), Gaussian(12, 4), np.full((steps, 1), 12.0)),
+        "random walk": (random_walk(4, 4), Gaussian(12, 4), None),
+        "constant": (random_walk(0, 4), [12.0], None),
+    }
+    truth_model, start, u = _variant(truths, variant)
+    description = f"A voltmeter reads a source of about 12 V; its true voltage: {variant}."
+    initial = Gaussian(0, 100**2)
+    return Scenario(description, random_walk(Q, R), initial, truth_model, start, steps, truth_u=u)
+
+
+def temperature():
+    """[KM] The temperature of a room, about 25 °C, once a minute with a thermometer of R = 0.25 °C².
+
+    Random walk, Q = 0.01 °C² a step, 120 readings. The truth starts at 25.1 °C; the start 24.9 °C with P = 0.01 °C² is
+    the published one, a first reading that is believed 25 times more than it deserves.
+    """
+    model = random_walk(0.01, 0.25)
+    return Scenario("The temperature of a room.", model, Gaussian(24.9, 0.01), model, np.array([25.1]), steps=119)
+
+
+def free_fall():
+    """[KM] A body falls from 95 m: state [height (m), velocity (m/s)], gravity −1 m/s² as control input, Q = 0, R = 1 m².
+
+    1000 steps of 1 s; truth and filter start at [95, 1], the filter with P = diag(10, 1). As published the fall does
+    not stop at the ground.
+    """
+    model = LinearModel(F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, B=[[0.5], [1]])
+    start, u = np.array([95.0, 1.0]), np.full((999, 1), -1.0)
+    return Scenario("A body falls.", model, Gaussian(start, np.diag([10, 1])), model, start, 999, u, u)
+
+
+def train(start_speed_variance=1.0):
+    """[KS] A train at a constant 10 m/s, its position measured every 0.1 s with R = 1 m².
+
+    State [position (m), velocity (m/s)], Q = 0, 100 steps. The filter starts at [0, 5] with P = diag(1, 1), five
+    standard deviations wrong in speed; `start_speed_variance` = 25 is the honest value.
+    """
+    model = LinearModel(F=[[1, 0.1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1)
+    initial = Gaussian([0, 5], np.diag([1, start_speed_variance]))
+    return Scenario("A train at a constant speed.", model, initial, model, np.array([0.0, 10.0]), steps=100)
+
+
+def ship(variant="published"):
+    """[KM] A ship and its GPS: state [x, vx, y, vy] in m and m/s, both positions measured every second, R = 100 m² each.
+
+    Q = 0.01 diag(0.5, 1, 0.5, 1), 79 steps, P₀ = I. variant "published": the filter starts at the exact truth
+    [−100, 2, 200, 20]; "honest start": the truth is drawn from N([−100, 2, 200, 20], P₀).
+    """
+    axis = np.eye(2)
+    model = LinearModel(
+        F=np.kron(axis, [[1, 1], [0, 1]]),
+        H=np.kron(axis, [[1, 0]]),
+        Q=0.01 * np.diag([0.5, 1, 0.5, 1]),
+        R=100 * axis,
+    )
+    initial = Gaussian([-100, 2, 200, 20], np.eye(4))
+    start = _variant({"published": initial.mean, "honest start": initial}, variant)
+    return Scenario("A ship and its GPS.", model, initial, model, start, steps=79)
+
+
+def _variant(choices, variant):
+    if variant not in choices:
+        raise ValueError(f"variant must be one of {', '.join(map(repr, choices))}, got {variant!r}")
+    return choices[variant]
