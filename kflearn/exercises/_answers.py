@@ -1,0 +1,224 @@
+"""What is wrong with an answer, said in plain words, for the exercise engine.
+
+An answer may be any object at all: one that fights back may raise here, and the engine says that it cannot be read.
+The words are deterministic (no addresses, no folders), so that a saved notebook can be compared with a new run.
+"""
+
+import inspect
+import linecache
+import re
+import textwrap
+import traceback
+
+import numpy as np
+
+ENTRIES_SHOWN = 12  # a larger array is named by its shape
+
+
+class Misfit(Exception):
+    """An answer of the wrong form; the text says what it is instead."""
+
+
+def fault(answer, right, subject, rtol, atol, reveal):
+    """What is wrong with an answer, in a sentence that shows the right one only if `reveal`; None if nothing is."""
+    if wanted := _parts(right):
+        is_row = isinstance(answer, list) or (isinstance(answer, np.ndarray) and answer.ndim > 0)
+        given = answer if is_row else list(_parts(answer).values())
+        if len(given) != len(wanted):
+            found = len(given) or f"one of type {type(answer).__name__}"
+            return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
+        pairs = zip(given, wanted.items(), strict=True)
+        faults = (fault(piece, part, f"{name} of {subject}", rtol, atol, reveal) for piece, (name, part) in pairs)
+        return next(filter(None, faults), None)
+    right = np.asarray(right)
+    try:
+        given = _numbers(answer, right)
+    except Misfit as instead:
+        return f"{subject} should be {_form(right.shape)}, but it is {instead}."
+
+    right = right.astype(given.dtype)
+    good = _close(given, right, rtol, atol)
+    if good.all():
+        return None
+    at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
+    direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
+    verdict = next((words for words, twin in _relatives(right) if _close(given, twin, rtol).all()), "")
+    if reveal:
+        where = f"at {list(at)} " if right.size > ENTRIES_SHOWN else ""
+        pair = (given[at], right[at]) if where else (given, right)
+        digits = next((d for d in (4, 6, 9, 12) if show(pair[0], d) != show(pair[1], d)), 17)
+        remark = f" (it {verdict})" if verdict else ""
+        return f"{subject} is {where}{show(pair[0], digits)}, but {show(pair[1], digits)} was expected{remark}."
+    if not verdict and right.size > 1:
+        verdict = f"differs in {(~good).sum()} of {right.size} entries: {list(at)} is {direction}"
+    if not verdict and _close(given, right, 0.02).all():
+        verdict = f"is close, but {direction}: if you rounded, keep more digits"
+    return f"{subject} {verdict or f'is {direction}'}."
+
+
+def _numbers(answer, right):
+    """The answer as an array of the form of `right`; a Misfit says what it is instead."""
+    kind = type(answer).__name__
+    if answer is None or isinstance(answer, (str, bytes)):
+        raise Misfit("None" if answer is None else f"text (of type {kind}): leave out the quotation marks")
+    if callable(answer):
+        raise Misfit("a function: call it and hand in what it returns")
+    if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
+        raise Misfit(f"a {kind} of {_count(len(answer), 'item')}")
+    try:
+        array = np.asarray(answer)
+    except ValueError:
+        raise Misfit(f"of type {kind}, and its rows are not of equal length") from None
+    if array.dtype == object:  # fractions, decimals, very long integers; or no numbers at all
+        try:
+            array = array.astype(float)
+        except (TypeError, ValueError, OverflowError):
+            raise Misfit(f"of type {kind}") from None
+    if array.dtype.kind not in "iuf" and array.dtype.kind != right.dtype.kind:
+        raise Misfit(f"of type {kind}" + f", holding {array.dtype.type.__name__.strip('_')}" * bool(array.ndim))
+    if array.shape != right.shape and not array.size == right.size == 1:
+        raise Misfit(_form(array.shape))
+    array = array.reshape(right.shape).astype(complex if right.dtype.kind == "c" else float)
+    strange = np.argwhere(~np.isfinite(array) & np.isfinite(right))
+    if len(strange):
+        at = tuple(strange[0].tolist())
+        raise Misfit(f"{show(array[at])}" if not at else f"{show(array[at])} at {list(at)}")
+    return array
+
+
+def _close(given, right, rtol, atol=None):
+    """Entry by entry: equal within the tolerances, NaN equal to NaN."""
+    if given.shape != right.shape:
+        return np.False_
+    if atol is None:
+        atol = 1e-12 * (np.abs(right[np.isfinite(right)]).max(initial=0) or 1)
+    return np.isclose(given, right, rtol, atol, equal_nan=True)
+
+
+def _relatives(right):
+    """Arrays that differ from the right one in a way which is easily named."""
+    yield "has the opposite sign", -right
+    yield "is the transpose of what it should be", right.T
+    for power in range(1, 10):
+        yield f"is {10**power} times too large", right * 10.0**power
+        yield f"is {10**power} times too small", right / 10.0**power
+
+
+def chosen(answer):
+    """A choice as a set of plain words: "B)" is {"b"}, 3 is {"3"}, [3, 7] is {"3", "7"}, True is {"true"}."""
+    if isinstance(answer, (np.ndarray, np.generic)) and answer.size <= 100:
+        answer = answer.tolist()
+    if isinstance(answer, str):
+        return frozenset({answer.strip(" .()").casefold()})
+    if isinstance(answer, bool):
+        return frozenset({str(answer).casefold()})
+    if isinstance(answer, (list, tuple, set, frozenset, range)) and len(answer) <= 100:
+        return frozenset().union(*map(chosen, answer))
+    if int(answer) != answer:
+        raise ValueError("a fraction is no choice")
+    return frozenset({str(int(answer))})
+
+
+def _is_gaussian(value):
+    """Anything with a mean and a covariance that are values (an array's mean is a method)."""
+    return all(hasattr(value, name) and not callable(getattr(value, name)) for name in ("mean", "cov"))
+
+
+def _parts(value):
+    """The named parts of a Gaussian or a tuple; of anything else, nothing."""
+    if _is_gaussian(value):
+        return {"the mean": value.mean, "the covariance": value.cov}
+    return {f"value {i}": part for i, part in enumerate(value, 1)} if isinstance(value, tuple) else {}
+
+
+def entries(value):
+    """All numbers of a value, in a flat array."""
+    parts = _parts(value).values()
+    return np.concatenate([entries(part) for part in parts]) if parts else np.ravel(value)
+
+
+# Functions the learner hands in
+
+
+def unfinished(answer, depth=5):
+    """Nothing at all, or lists with a `...` still in them."""
+    if answer is None or answer is ... or (type(answer) is str and not answer.strip()):
+        return True
+    inside = answer if type(answer) in (list, tuple) and depth else ()
+    return any(unfinished(item, depth - 1) for item in inside if item is not None)
+
+
+def arity_fault(function, inputs):
+    """Says so if a function cannot be called with so many inputs."""
+    try:
+        signature = inspect.signature(function)
+    except (TypeError, ValueError):  # some functions written in C do not tell
+        return None
+    try:
+        signature.bind(*inputs)
+    except TypeError:
+        takes = sum("POSITIONAL_O" in parameter.kind.name for parameter in signature.parameters.values())
+        return f"your function takes {_count(takes, 'argument')}, it is called with {len(inputs)}"
+    return None
+
+
+def told(error, function, inputs):
+    """A function raised: the status and the sentence, with the error and the learner's own line but no traceback."""
+    home = getattr(function, "__globals__", None)
+    places = [(frame, line) for frame, line in traceback.walk_tb(error.__traceback__) if frame.f_globals is home]
+    try:
+        message = str(error)
+    except Exception:
+        message = ""
+    left_open = any(value is ... for frame, _ in places for value in frame.f_locals.values())
+    if left_open or "ellipsis" in message or isinstance(error, NotImplementedError):
+        return "not attempted", "A `...` is still in your function: put your code in its place."
+    message = re.sub(r" at 0x[0-9a-fA-F]+", "", message)
+    message = re.sub(r"(?<!\w)(?:[A-Za-z]:)?[\\/](?:[^\s'\"\\/]+[\\/])+", "", message)  # folders
+    said = _code(f"{type(error).__name__}: {message}".rstrip(": "))
+    line = linecache.getline(places[-1][0].f_code.co_filename, places[-1][1]).strip() if places else ""
+    return "raised", said + (f" in the line {_code(line)}" if line else "") + f", called with {_code(inputs)}."
+
+
+def _code(text):
+    """Code or a message on one short line, marked as code so that markdown leaves it alone."""
+    return f"`{textwrap.shorten(text.replace('`', chr(39)), 160, placeholder=' …')}`"
+
+
+# Showing values in a few characters
+
+
+def show(value, digits=4):
+    """A value in a few characters: numbers with four significant digits, a large array by its shape."""
+    if _is_gaussian(value):
+        return f"N({show(value.mean, digits)}, {show(value.cov, digits)})"
+    if isinstance(value, tuple):
+        return f"({', '.join(show(part, digits) for part in value)})"
+    array = np.asarray(value)
+    if array.dtype.kind not in "biufc":
+        return f"a {type(value).__name__}"
+    if array.size > ENTRIES_SHOWN:
+        return f"an array of shape {array.shape}"
+    if array.ndim:
+        return f"[{', '.join(show(row, digits) for row in array)}]"
+    return str(array) if array.dtype == bool else f"{array.item() + 0:.{digits}g}"  # + 0 turns -0 into 0
+
+
+def _form(shape):
+    return f"an array of shape {shape}" if shape else "one number"
+
+
+def _count(number, noun):
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def listed(choices):
+    """Choices in order, on a short line."""
+    line = ", ".join(sorted(choices, key=lambda choice: (len(choice), choice)))
+    return textwrap.shorten(line, 160, placeholder="…")
+
+
+def numbers_in(text):
+    """The numbers a text names, those of equations left out: "eq (12)"."""
+    text = re.sub(r"\beqs?\.? ?\([^)]*\)", "", text.replace("−", "-"))
+    return np.array(re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", text), dtype=float)
