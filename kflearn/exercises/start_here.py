@@ -1,0 +1,232 @@
+"""Lesson 0: start here."""
+
+import math
+
+import numpy as np
+
+from kflearn.exercises.engine import exercise
+
+
+@exercise(
+    hints=[
+        "Add the three readings, then divide by how many there are.",
+        "61 + 62 + 66 = 189.",
+        "189 / 3 = 63.",
+    ],
+    wrong={
+        "the middle one": (
+            62,
+            "62 is the middle reading, the median. The mean lets every reading pull, so 66 draws it further up.",
+        ),
+        "the sum": (189, "189 is the sum of the readings; divide it by how many there are."),
+        "divided by two": (94.5, "You divided by 2. There are three readings."),
+        "between the ends": (
+            63.5,
+            "63.5 is halfway between the smallest and the largest reading. The mean uses all three.",
+        ),
+    },
+    unit="m",
+)
+def three_readings():
+    """The mean of the readings 61, 62 and 66 m."""
+    return (61 + 62 + 66) / 3
+
+
+@exercise(
+    hints=[
+        "The mean of n readings has the standard deviation σ/√n, here 1/√n metres.",
+        "You need √n ≥ 1/0.1.",
+        "√n must be 10, so n = 100.",
+    ],
+    wrong={
+        "σ/n": (10, "Ten readings give 1/√10 = 0.32 m: the standard deviation falls with √n, not with n."),
+        "a zero too many": (
+            1000,
+            "1,000 readings give 1/√1000 = 0.03 m: more than was asked for. Solve 1/√n = 0.1 for n.",
+        ),
+        "±2σ": (
+            400,
+            "400 readings bring 2σ down to 0.1 m. That is a useful promise, but σ itself was asked for.",
+        ),
+        "root of ten": (
+            lambda: math.sqrt(10),
+            "You took a root where a square is needed: from √n = 10 follows n = 10², not n = √10.",
+        ),
+        "the variance": (
+            lambda: 0.1**2,
+            "0.01 m² is the variance the mean must have. How many readings bring 1 m² down to it?",
+        ),
+        "2σ/n": (
+            20,
+            "Twenty readings give 1/√20 = 0.22 m. Halving σ takes four times the readings, not twice.",
+        ),
+        "one too many": (101, "101 is more than needed: 0.1 m itself is allowed."),
+        "one too few": (99, "With 99 readings σ is 0.1005 m: just not there yet."),
+    },
+    unit="readings",
+)
+def readings_needed():
+    """How many readings with σ = 1 m bring the σ of their mean down to 0.1 m?"""
+    return (1 / 0.1) ** 2
+
+
+def next_readings(rng):
+    """A mean, the number of readings with the new one, the new reading."""
+    return int(rng.integers(20, 41)) / 2, int(rng.integers(2, 10)), int(rng.integers(20, 41)) / 2
+
+
+@exercise(
+    hints=[
+        "Start at the old mean and go a part of the way towards the new reading. Which part?",
+        "The surprise is z - mean, and the gain is 1 / n. n counts the new reading already.",
+        "`return mean + (z - mean) / n`",
+    ],
+    inputs=next_readings,
+    wrong={
+        "n + 1": (
+            lambda mean, n, z: mean + (z - mean) / (n + 1),
+            "You divided by n + 1, but n counts the new reading already: with the second reading the gain is 1/2.",
+        ),
+        "n − 1": (
+            lambda mean, n, z: mean + (z - mean) / (n - 1),
+            "You divided by the number of the old readings, n − 1. The new one counts too: with the second reading the gain is 1/2.",
+        ),
+        "halfway": (
+            lambda mean, n, z: (mean + z) / 2,
+            "You go halfway every time. The old mean stands for n − 1 readings, the new reading for one.",
+        ),
+        "wrong sign": (
+            lambda mean, n, z: mean + (mean - z) / n,
+            "Your mean walks away from the reading: the surprise is measured minus expected, z - mean.",
+        ),
+        "weights swapped": (
+            lambda mean, n, z: z + (mean - z) / n,
+            "You gave the new reading the weight of all the old ones. Start at mean and walk the part 1/n towards z.",
+        ),
+        "surprise forgotten": (
+            lambda mean, n, z: mean + z / n,
+            "You added a part of the reading itself. Add a part of the surprise, z - mean.",
+        ),
+        "sum over n": (
+            lambda mean, n, z: (mean + z) / n,
+            "The old mean stands for n − 1 readings, so it counts n − 1 times: ((n − 1)·mean + z)/n. Or use the form with the gain.",
+        ),
+        "not divided": (
+            lambda mean, n, z: (n - 1) * mean + z,
+            "That is the sum of all n readings. Divide it by n.",
+        ),
+        "the new reading": (
+            lambda mean, n, z: z,
+            "You return the new reading and forget all the old ones: that is a gain of 1.",
+        ),
+        "the old mean": (
+            lambda mean, n, z: mean,
+            "You return the old mean, so nothing was learnt: that is a gain of 0.",
+        ),
+        "whole numbers": (
+            lambda mean, n, z: mean + (z - mean) // n,
+            "// rounds down to a whole number. Divide with a single /.",
+        ),
+    },
+)
+def update_mean(mean, n, z):
+    """The mean of n readings, from the mean of the first n − 1 and the n-th reading z."""
+    return mean + (z - mean) / n
+
+
+@exercise(
+    hints=[
+        "95 % of the readings lie within ±2σ. So which part of the 6 m is σ?",
+        "σ = 6/2 metres. R is a variance: square it.",
+        "σ = 3 m, R = 3² = 9 m².",
+    ],
+    wrong={
+        "σ": (3, "3 m is the standard deviation. R is a variance: square it."),
+        "6² without halving": (
+            36,
+            "You squared the ±6 m of the data sheet. It is 2σ: halve it first, then square. Your R is four times too large.",
+        ),
+        "as printed": (
+            6,
+            "6 m is the bound of the data sheet, 2σ, and in metres. R is σ², in square metres.",
+        ),
+        "halved after squaring": (
+            18,
+            "You squared first and halved then. Halve first, because the 6 m is 2σ, not 2σ².",
+        ),
+        "doubled": (144, "You doubled where you should halve: the 6 m already contains the 2 of ±2σ."),
+        "±3σ": (4, "You took ±6 m for ±3σ. Within ±3σ lie 99.7 %; the data sheet says 95 %, which is ±2σ."),
+        "root": (
+            lambda: math.sqrt(3),
+            "You took the root of σ. From a standard deviation to a variance you square.",
+        ),
+        "12": (12, "You doubled the 6 m. It is 2σ: halve it, then square."),
+    },
+    unit="m²",
+    rtol=0.05,  # who divides by 1.96 finds 9.37
+)
+def data_sheet():
+    """R for a receiver whose data sheet says ±6 m at 95 %."""
+    sigma = 6 / 2
+    return sigma**2
+
+
+def errors(rng):
+    """Some errors, not centred on zero."""
+    return (rng.integers(-8, 9, 6) / 2 + 1.5,)
+
+
+@exercise(
+    hints=[
+        "Read the name backwards: first square, then take the mean, then the root. Which of these does the published line do?",
+        "`error**2` squares every entry of an array, `np.mean` takes the mean, `np.sqrt` the root.",
+        "return np.sqrt(np.mean(error**2))",
+    ],
+    inputs=errors,
+    wrong={
+        "as published": (
+            lambda error: np.mean(abs(error)),
+            "That is still the mean absolute error. The square must come before the mean, and the root after it.",
+        ),
+        "root forgotten": (
+            lambda error: np.mean(error**2),
+            "That is the mean square, in m². Take the root to come back to metres.",
+        ),
+        "standard deviation": (
+            lambda error: np.std(error),
+            "np.std subtracts the mean error first, so it cannot see an offset: the short tape would look perfect.",
+        ),
+        "variance": (
+            lambda error: np.var(error),
+            "np.var subtracts the mean error first, so it cannot see an offset; and it is in m².",
+        ),
+        "root of the sum": (
+            lambda error: np.sqrt(np.sum(error**2)),
+            "You took the sum of the squares: it grows with every reading. Take their mean.",
+        ),
+        "root of the sum, divided": (
+            lambda error: np.sqrt(np.sum(error**2)) / len(error),
+            "Divide by the number of errors before you take the root, not after.",
+        ),
+        "n − 1": (
+            lambda error: np.sqrt(np.sum(error**2) / (len(error) - 1)),
+            "n − 1 is for a mean taken from the same readings. These are errors against the truth: divide by n.",
+        ),
+        "plain mean": (
+            lambda error: np.mean(error),
+            "In the plain mean errors of +5 and −5 m cancel. Square first, and nothing cancels.",
+        ),
+        "size of the mean": (
+            lambda error: np.sqrt(np.mean(error) ** 2),
+            "You took the mean before you squared, so that errors of +5 and −5 m cancel. Square each error first.",
+        ),
+        "largest": (
+            lambda error: np.max(abs(error)),
+            "That is the largest error: one bad reading decides everything.",
+        ),
+    },
+    unit="m",
+)
+def root_mean_square(error):
+    """The root mean square of an array of errors, which a published program replaces by their mean absolute value."""
+    return np.sqrt(np.mean(error**2))
