@@ -8,7 +8,7 @@ READY := $(VENV)/ready
 .PHONY: course test notebooks lint bench browser clean
 
 course: $(READY)          ## open the course in JupyterLab
-	$(BIN)/jupyter lab notebooks/00-start-here.ipynb
+	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab notebooks/00-start-here.ipynb
 
 test: $(READY) $(if $(CI),browser)          ## lint, unit tests, lessons, browser
 	$(BIN)/ruff check .

@@ -6,6 +6,7 @@ leading axes: a thousand runs are one call.
 """
 
 from . import scenarios
+from .angles import angle_difference, circular_mean, wrap
 from .consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
 from .filtering import (
     correct,
@@ -25,8 +26,10 @@ __all__ = [
     "Gaussian",
     "LinearModel",
     "NonlinearModel",
+    "angle_difference",
     "cart",
     "chi_square_interval",
+    "circular_mean",
     "constant_velocity",
     "correct",
     "coverage",
@@ -45,4 +48,5 @@ __all__ = [
     "start_from",
     "unscented_kalman_filter",
     "whiteness",
+    "wrap",
 ]

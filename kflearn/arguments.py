@@ -4,7 +4,7 @@ import numpy as np
 
 from . import _checks as check
 from .gaussian import Gaussian
-from .models import LinearModel, NonlinearModel
+from .models import LinearModel, NonlinearModel, stacks
 
 
 def check_model(model):
@@ -28,6 +28,62 @@ def check_control(model, u):
         check.shape("u", u, (model.p,))
 
 
+def check_step(model, k):
+    """The step k has to exist in all stacks of the model."""
+    check.whole_number("k", k, least=0)
+    for name, M in stacks(model).items():
+        if 1 < M.shape[-3] <= k:
+            raise ValueError(f"k must be below {M.shape[-3]}, the number of steps of {name}, got {k}")
+
+
+def check_stacks(model, T):
+    """{name: batch axes} of the model's stacks, all of which have T steps, or 1."""
+    for name, M in stacks(model).items():
+        if M.shape[-3] not in (1, T):
+            raise ValueError(f"{name} must have {T} steps, or 1, got shape {M.shape}")
+    return {name: M.shape[:-3] for name, M in stacks(model).items()}
+
+
+def check_move(model, x, u=None):
+    """Does f of a nonlinear model broadcast? Tried once, on n + 1 copies of the states x (..., n); returns f(x)."""
+    if isinstance(model, LinearModel):
+        return x
+    x, u = np.broadcast_to(x, (model.n + 1, *x.shape)), () if u is None else (u,)
+    moved = check.numbers("what f returns", _tried("f", model.f, (model.n,), x, *u))
+    if model.F_jacobian is not None:
+        _tried("F_jacobian", model.F_jacobian, (model.n, model.n), x, *u)
+    return moved[0]
+
+
+def check_measure(model, x):
+    """The same for h and what goes with it."""
+    if isinstance(model, LinearModel):
+        return
+    x = np.broadcast_to(x, (model.n + 1, *x.shape))
+    expected = check.numbers("what h returns", _tried("h", model.h, (model.m,), x))
+    if model.H_jacobian is not None:
+        _tried("H_jacobian", model.H_jacobian, (model.m, model.n), x)
+    if model.residual is not None:
+        _tried("residual", model.residual, (model.m,), expected, expected)
+
+
+def _tried(name, function, expected, *arguments):
+    states = arguments[0].shape
+    wanted = f"{name} must return shape (..., {', '.join(map(str, expected))})"
+    try:
+        with np.errstate(all="ignore"):
+            # Read-only arguments: a function that overwrites the filter's states is found out.
+            value = function(*(np.broadcast_to(a, a.shape) for a in arguments))
+        found = np.shape(value)
+    except (TypeError, ValueError, IndexError) as error:
+        raise ValueError(f"{wanted}, got an error for an argument of shape {states}: {error}") from error
+    whole = (*states[:-1], *expected)
+    constant = name.endswith("jacobian") and found == expected
+    if found != whole and not constant:
+        raise ValueError(f"{wanted}, got {found} for an argument of shape {states}")
+    return value
+
+
 def check_control_series(model, u, T):
     """Control inputs along time as an array (..., T, p)."""
     u = _series("u", u, model.p if isinstance(model, LinearModel) and model.B is not None else None)
@@ -38,23 +94,18 @@ def check_control_series(model, u, T):
 
 
 def check_series(model, z, initial, u):
-    """z as (..., T, m) and u as (..., T, p), after all arguments of a filter were looked at."""
+    """z as (..., T, m), u as (..., T, p) and all batch axes, after the arguments of a filter were looked at."""
     check_belief("initial", initial, model)
     z = _series("z", z, model.m, gaps=True)
     T = z.shape[-2]
-    for name in "FHBQR":
-        M = getattr(model, name, None)
-        if M is not None and M.ndim > 2 and M.shape[-3] not in (1, T):
-            raise ValueError(f"{name} must have {T} steps like z, or 1, got shape {M.shape}")
+    axes = check_stacks(model, T)
     if u is not None:
         u = check_control_series(model, u, T)
-    batches = {"z": z.shape[:-2], "initial": initial.mean.shape[:-1], "u": () if u is None else u.shape[:-2]}
-    try:
-        np.broadcast_shapes(*batches.values())
-    except ValueError:
-        found = ", ".join(f"{name} {batch}" for name, batch in batches.items())
-        raise ValueError(f"z, initial and u must have batch axes that broadcast, got {found}") from None
-    return z, u
+        axes["u"] = u.shape[:-2]
+    batch = check.batches(z=z.shape[:-2], initial=initial.batch, **axes)
+    x = np.broadcast_to(initial.mean, (*batch, model.n))
+    check_measure(model, check_move(model, x, None if u is None else u[..., 0, :]))
+    return z, u, batch
 
 
 def _series(name, value, width, gaps=False):

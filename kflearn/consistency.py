@@ -9,14 +9,11 @@ from .results import squared_distance
 def rmse(estimate, truth, axis=None):
     """Root mean square difference, over everything or along `axis` (as in NumPy), in the units of the arguments.
 
-    Raises ValueError where the shapes do not broadcast.
+    Raises ValueError where one of the two cannot be stretched to the shape of the other: (T, 1) and (T,) do not fit.
     """
     estimate, truth = check.numbers("estimate", estimate), check.numbers("truth", truth)
-    try:
-        error = estimate - truth
-    except ValueError:
-        raise ValueError(f"truth must fit the estimate's shape {estimate.shape}, got {truth.shape}") from None
-    return np.sqrt(np.mean(error**2, axis=axis))
+    _fit(truth.shape, estimate.shape)
+    return np.sqrt(np.mean((estimate - truth) ** 2, axis=axis))
 
 
 def nees(belief, truth):
@@ -25,12 +22,21 @@ def nees(belief, truth):
     belief: anything with .mean (..., T, n) and .cov (..., T, n, n), a Track or a Gaussian; truth: (..., T, n).
     Source: Bar-Shalom, Li and Kirubarajan 2001, eq. (5.4.2-4).
     """
-    truth = check.shape("truth", check.numbers("truth", truth), (belief.mean.shape[-1],))
-    return squared_distance(truth - belief.mean, belief.cov)
+    truth = _truth_for(belief, truth)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        try:
+            score = squared_distance(truth - belief.mean, belief.cov)
+        except np.linalg.LinAlgError:
+            score = np.nan
+    if not np.isfinite(score).all():
+        raise ValueError("belief must have invertible covariances, found a singular one: take a marginal")
+    return score
 
 
 def nis(track):
     """Normalised innovation squared, one a step: (..., T). Honest filters average m. (5.4.2-9) of the same book."""
+    if not hasattr(track, "nis"):
+        raise TypeError(f"track must be what a filter returns, got {type(track).__name__}")
     return track.nis
 
 
@@ -44,7 +50,7 @@ def chi_square_interval(dof, runs=1, probability=0.95):
 
     check.whole_number("dof", dof)
     check.whole_number("runs", runs)
-    if not 0 < probability < 1:
+    if not 0 < check.number("probability", probability) < 1:
         raise ValueError(f"probability must lie between 0 and 1, got {probability!r}")
     tails = np.array([(1 - probability) / 2, (1 + probability) / 2])
     low, high = 2 * gammaincinv(dof * runs / 2, tails) / runs
@@ -53,7 +59,9 @@ def chi_square_interval(dof, runs=1, probability=0.95):
 
 def coverage(belief, truth, sigmas=2):
     """The fraction of true values inside mean ± sigmas·std, one for each component: (n,). 2σ should hold 0.954."""
-    return np.mean(abs(truth - belief.mean) <= sigmas * belief.std, axis=tuple(range(belief.mean.ndim - 1)))
+    error = _truth_for(belief, truth) - belief.mean
+    inside = abs(error) <= check.number("sigmas", sigmas, positive=True) * belief.std
+    return np.mean(inside, axis=tuple(range(inside.ndim - 1)))
 
 
 def whiteness(innovation, lags=20):
@@ -62,6 +70,7 @@ def whiteness(innovation, lags=20):
     innovation: Gaussian along time with mean (..., T, m), without gaps. White innovations stay within ±1.96/√N, N being
     runs × (T − lag), in 95 of 100 cases. Raises ValueError when the series is not longer than `lags`.
     """
+    _check_belief("innovation", innovation)
     y = check.numbers("innovation", innovation.mean / innovation.std)
     T = y.shape[-2]
     if check.whole_number("lags", lags) >= T:
@@ -69,3 +78,25 @@ def whiteness(innovation, lags=20):
     over = tuple(range(y.ndim - 1))
     power = np.mean(y**2, axis=over)
     return np.stack([np.mean(y[..., lag:, :] * y[..., :-lag, :], axis=over) / power for lag in range(1, lags + 1)])
+
+
+def _check_belief(name, belief):
+    if not isinstance(getattr(belief, "cov", None), np.ndarray):
+        raise TypeError(f"{name} must have a .mean and a .cov, as Gaussians and tracks do, got {type(belief).__name__}")
+
+
+def _truth_for(belief, truth):
+    """True states (..., T, n) that go with a belief."""
+    _check_belief("belief", belief)
+    truth = check.shape("truth", check.numbers("truth", truth), (belief.mean.shape[-1],))
+    _fit(truth.shape, belief.mean.shape)
+    return truth
+
+
+def _fit(truth, estimate):
+    try:
+        whole = np.broadcast_shapes(truth, estimate)
+    except ValueError:
+        whole = None
+    if whole not in (truth, estimate):
+        raise ValueError(f"truth must fit the shape {estimate} of the estimate, got {truth}")

@@ -11,9 +11,9 @@ corrects (FilterPy does the same; pykalman, statsmodels and dynamax hold it at t
 import numpy as np
 
 from . import _checks as check
-from .arguments import check_belief, check_control, check_model, check_series
-from .gaussian import Gaussian, symmetric, trusted
-from .models import LinearModel, apply, at
+from .arguments import check_belief, check_control, check_measure, check_model, check_move, check_series, check_step
+from .gaussian import Gaussian, symmetric, tidy, trusted
+from .models import LinearModel, apply, at, stacks
 from .moments import cubature, linearize, spread, unscented
 from .recursion import linear_recursion
 from .results import Track, divide, hide
@@ -27,10 +27,13 @@ def predict(model, belief, u=None, k=0, through=linearize):
     """
     check_model(model)
     check_belief("belief", belief, model)
+    check_step(model, k)
     if u is not None:
         u = np.atleast_1d(check.numbers("u", u))
         check_control(model, u)
-    return _predict(model, belief, u, k, through)
+        check.batches(belief=belief.batch, u=u.shape[:-1])
+    check_move(model, belief.mean, u)
+    return tidy(_predict(model, belief, u, k, through))
 
 
 def correct(model, belief, z, k=0, through=linearize):
@@ -41,8 +44,11 @@ def correct(model, belief, z, k=0, through=linearize):
     """
     check_model(model)
     check_belief("belief", belief, model)
+    check_step(model, k)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
-    return _correct(model, belief, z, k, through)[0]
+    check.batches(belief=belief.batch, z=z.shape[:-1])
+    check_measure(model, belief.mean)
+    return tidy(_correct(model, belief, z, k, through)[0])
 
 
 def kalman_filter(model, z, initial, u=None):
@@ -90,7 +96,7 @@ def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None):
     from the measurement: x = H⁻¹ z, P = H⁻¹ R H⁻ᵀ, and nothing is predicted. Returns the Gaussian after the step.
     Raises ValueError when the start is known only in part (x without P, NaN in x), or when H cannot be inverted.
     """
-    z = np.atleast_1d(check.numbers("z", z))
+    z = np.atleast_1d(check.numbers("z", z, gaps=True))
     H = np.eye(z.shape[-1]) if H is None else check.matrix("H", H, z.shape[-1], None)
     n = H.shape[-1]
     model = LinearModel(np.eye(n) if F is None else F, H, np.zeros((n, n)) if Q is None else Q, R, B)
@@ -99,9 +105,10 @@ def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None):
     if x is None or P is None:
         missing, given = ("x", "P") if x is None else ("P", "x")
         raise ValueError(f"{missing} must be given together with {given}: give both, or neither to start from z")
-    if np.isnan(check.numbers("x", x, gaps=True)).any():
+    x = check.shape("x", np.atleast_1d(check.numbers("x", x, gaps=True)), (n,))
+    if np.isnan(x).any():
         raise ValueError("x must be known completely, found NaN: leave out x and P to start from z")
-    return correct(model, predict(model, Gaussian(x, P), u), z)
+    return correct(model, predict(model, Gaussian(x, check.covariance("P", P, n)), u), z)
 
 
 def start_from(model, z):
@@ -110,6 +117,8 @@ def start_from(model, z):
     model: LinearModel with an invertible H; z: (..., m), or a number when m = 1. Raises ValueError when H is not square
     or is singular.
     """
+    if not isinstance(model, LinearModel):
+        raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
     H, R = at(model.H, 0), at(model.R, 0)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z)), (model.m,))
     if model.m != model.n or np.linalg.matrix_rank(H) < model.n:
@@ -125,7 +134,7 @@ def linear_filter(model, z, initial, u, update):
     """
     if not isinstance(model, LinearModel):
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
-    z, u = check_series(model, z, initial, u)
+    z, u, _ = check_series(model, z, initial, u)
     missing = np.isnan(z)
     predicted_cov, S, gain, cov = _gains(model, initial.cov, missing, update)
     keep = np.eye(model.n) - gain @ model.H
@@ -138,7 +147,7 @@ def linear_filter(model, z, initial, u, update):
     def predicted():
         first = np.broadcast_to(initial.mean, (*mean.shape[:-2], model.n))[..., None, :]
         moved = _each(model.F, np.concatenate([first, mean[..., :-1, :]], axis=-2))
-        return trusted(moved if u is None else moved + _each(model.B, u), _hold(predicted_cov, T))
+        return trusted(moved if u is None else moved + _each(model.B, u), _hold(symmetric(predicted_cov), T))
 
     def innovation():
         return trusted(z - _each(model.H, track.predicted.mean), _hold(S, T))
@@ -155,9 +164,9 @@ def _gains(model, P, missing, update):
     gaps = missing.any()
     if gaps and (missing == missing.reshape(-1, T, m)[0]).all():
         missing = missing.reshape(-1, T, m)[0]  # the same gaps in every run: one gain sequence serves all
-    stacks = [M for M in (model.F, model.H, model.Q, model.R, model.B) if M is not None and M.ndim > 2]
-    batch = np.broadcast_shapes(P.shape[:-2], missing.shape[:-2] if gaps else (), *(M.shape[:-3] for M in stacks))
-    constant = not gaps and all(M.shape[-3] == 1 for M in stacks)
+    series = stacks(model).values()
+    batch = np.broadcast_shapes(P.shape[:-2], missing.shape[:-2] if gaps else (), *(M.shape[:-3] for M in series))
+    constant = not gaps and all(M.shape[-3] == 1 for M in series)
     P = np.broadcast_to(P, (*batch, n, n))
     arrays = [np.empty((*batch, T, *shape)) for shape in ((n, n), (m, m), (n, m), (n, n))]
     for k in range(T):
@@ -167,7 +176,7 @@ def _gains(model, P, missing, update):
         moved, cross = spread(H, P)
         innovation = S = moved + R
         if gaps:
-            S, cross, H, R = _without(missing[..., k, :], S, cross, H, R)
+            S, cross = _without(missing[..., k, :], S, cross)
         gain, P = update(predicted, S, cross, H, R)
         for array, value in zip(arrays, (predicted, innovation, gain, P), strict=True):
             array[..., k, :, :] = value
@@ -187,15 +196,14 @@ def _hold(array, T):
 def _unchanged(P, before):
     """Has a covariance come to rest? Judged against its own variances, a few roundings wide."""
     variance = np.diagonal(P, axis1=-2, axis2=-1)
-    scale = np.sqrt(variance[..., :, None] * variance[..., None, :])
+    scale = np.sqrt(abs(variance[..., :, None] * variance[..., None, :]))
     return (abs(P - before) <= 1e-14 * scale).all()
 
 
 def gaussian_filter(model, z, initial, u, through):
     """The loop for models whose covariances depend on the data: predict, correct, predict, correct …"""
     check_model(model)
-    z, u = check_series(model, z, initial, u)
-    batch = np.broadcast_shapes(z.shape[:-2], initial.mean.shape[:-1], () if u is None else u.shape[:-2])
+    z, u, batch = check_series(model, z, initial, u)
     n, T = model.n, z.shape[-2]
     belief = trusted(np.broadcast_to(initial.mean, (*batch, n)), np.broadcast_to(initial.cov, (*batch, n, n)))
     steps = []
@@ -208,52 +216,43 @@ def gaussian_filter(model, z, initial, u, through):
 
 
 def _predict(model, belief, u, k, through):
-    def move(x):
-        # Sigma points have one axis more than the mean; a control input of its own for each run must follow.
-        wide = u is not None and u.ndim > 1 and x.ndim > belief.mean.ndim
-        return model.move(x, u[..., None, :] if wide else u, k)
-
-    moved = through(belief, move, lambda x: model.move_slope(x, u, k))
-    return trusted(moved.mean, moved.cov + at(model.Q, k))
+    moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k))
+    return trusted(moved.mean, symmetric(moved.cov + at(model.Q, k)))
 
 
 def _correct(model, predicted, z, k, through):
     expected = through(predicted, lambda x: model.measure(x, k), lambda x: model.measure_slope(x, k), model.difference)
     R, missing = at(model.R, k), np.isnan(z)
     full = S = expected.cov + R
-    cross, H = expected.cross, expected.matrix
-    innovation = model.difference(z, expected.mean)
-    y = innovation
+    cross = expected.cross
+    innovation = y = model.difference(z, expected.mean)
     if missing.any():
-        S, cross, H, R = _without(missing, S, cross, H, R)
+        S, cross = _without(missing, S, cross)
         y = np.where(missing, 0, innovation)
-    gain, P = _update(predicted.cov, S, cross, H, R)
+    gain = divide(cross, S)
+    P = covariance_after(gain, predicted.cov, expected.slope, R + expected.rest, expected.basis)
     return trusted(predicted.mean + apply(gain, y), P), gain, trusted(innovation, full)
 
 
 def _update(P, S, cross, H, R):
     """Gain and corrected covariance, eqs (7) and (9), the latter in a form that is right for any gain."""
     gain = divide(cross, S)
-    return gain, covariance_after(gain, P, S, cross, H, R)
+    return gain, covariance_after(gain, P, H, R)
 
 
-def covariance_after(gain, P, S, cross, H, R):
+def covariance_after(gain, P, H, R, basis=None):
     """What a correction with `gain` leaves of P: Joseph's form, (I−KH)P(I−KH)ᵀ + KRKᵀ, positive whatever K is.
 
-    Without a matrix H (sigma points) the same thing multiplied out: P − KCᵀ − CKᵀ + KSKᵀ.
+    For sigma points with the `basis` L, L Lᵀ = P, and H the slope along it: (L−KH)(L−KH)ᵀ + KRKᵀ.
     """
-    if H is None:
-        half = gain @ (cross - gain @ S / 2).mT
-        return P - half - half.mT
-    keep = np.eye(P.shape[-1]) - gain @ H
-    return symmetric(spread(keep, P)[0] + spread(gain, R)[0])
+    keep = (np.eye(P.shape[-1]) if basis is None else basis) - gain @ H
+    left = spread(keep, P)[0] if basis is None else keep @ keep.mT
+    return symmetric(left + spread(gain, R)[0])
 
 
-def _without(missing, S, cross, H, R):
-    """The pieces of a correction when some components (..., m) are missing: they get no gain and disturb nothing."""
-    seen = ~missing
-    H = None if H is None else H * seen[..., :, None]
-    return hide(S, missing), cross * seen[..., None, :], H, hide(R, missing)
+def _without(missing, S, cross):
+    """S and the cross-covariance when some components (..., m) are missing: these get no gain and disturb nothing."""
+    return hide(S, missing), cross * ~missing[..., None, :]
 
 
 def _each(M, v):

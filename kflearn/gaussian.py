@@ -22,14 +22,17 @@ class Gaussian:
     cov: np.ndarray
 
     def __post_init__(self):
-        mean = np.atleast_1d(check.numbers("mean", self.mean).copy())
+        mean = np.atleast_1d(check.numbers("mean", self.mean))
+        mean.flags.writeable = False
         cov = check.covariance("cov", self.cov, mean.shape[-1])
-        try:
-            np.broadcast_shapes(mean.shape[:-1], cov.shape[:-2])
-        except ValueError:
-            raise ValueError(f"cov of shape {cov.shape} does not fit a mean of shape {mean.shape}") from None
+        check.batches(mean=mean.shape[:-1], cov=cov.shape[:-2])
         object.__setattr__(self, "mean", mean)
         object.__setattr__(self, "cov", cov)
+
+    @property
+    def batch(self):
+        """The leading axes: () for a single belief."""
+        return np.broadcast_shapes(self.mean.shape[:-1], self.cov.shape[:-2])
 
     @property
     def variance(self):
@@ -51,7 +54,8 @@ class Gaussian:
             raise TypeError(f"other must be a Gaussian, got {type(other).__name__}")
         if other.mean.shape[-1] != self.mean.shape[-1]:
             raise ValueError(f"other must have {self.mean.shape[-1]} components, got {other.mean.shape[-1]}")
-        total = check.covariance("the sum of the two covariances", self.cov + other.cov, definite=True)
+        check.batches(belief=self.batch, other=other.batch)
+        total = check.covariance("the sum of cov and other.cov", self.cov + other.cov, definite=True)
         gain = np.linalg.solve(total, self.cov).mT
         mean = self.mean + np.matvec(gain, other.mean - self.mean)
         return trusted(mean, symmetric(gain @ other.cov))  # K P₂ = P₁ − K P₁, without the subtraction
@@ -67,8 +71,7 @@ class Gaussian:
         """Random draws, shape (*size, ..., n). `rng` is a numpy Generator or a seed."""
         rng = np.random.default_rng(rng)
         size = (size,) if np.ndim(size) == 0 else tuple(size)
-        batch = np.broadcast_shapes(self.mean.shape[:-1], self.cov.shape[:-2])
-        return self.mean + np.matvec(root(self.cov), rng.standard_normal((*size, *batch, self.mean.shape[-1])))
+        return self.mean + np.matvec(root(self.cov), rng.standard_normal((*size, *self.batch, self.mean.shape[-1])))
 
     def ellipse(self, sigmas=2, points=61):
         """The contour at `sigmas` standard deviations of a two-dimensional Gaussian, (..., points, 2), closed."""
@@ -108,10 +111,21 @@ def symmetric(P):
     return (P + P.mT) / 2
 
 
+def tidy(belief):
+    """The same belief; a variance of 0 that rounding has left at −1e-16 is put to 0, in place."""
+    variance = np.einsum("...ii->...i", belief.cov)  # a view of the diagonal
+    if (variance < 0).any():
+        variance[variance < 0] = 0
+    return belief
+
+
 def root(P):
-    """A matrix A with A Aᵀ = P: the Cholesky factor, or, for a singular P, the one from its eigenvectors."""
+    """A matrix A with A Aᵀ = P: the Cholesky factor, or, for a singular P, one from the eigenvectors of the
+    correlations, so that units do not matter."""
     try:
         return np.linalg.cholesky(P)
     except np.linalg.LinAlgError:
-        values, vectors = np.linalg.eigh(P)
-        return vectors * np.sqrt(np.maximum(values, 0))[..., None, :]
+        variance = np.diagonal(P, axis1=-2, axis2=-1)
+        scale = np.sqrt(np.where(variance > 0, variance, 1))[..., :, None]
+        values, vectors = np.linalg.eigh(P / scale / scale.mT)
+        return scale * vectors * np.sqrt(np.maximum(values, 0))[..., None, :]

@@ -27,9 +27,10 @@ class LinearModel:
     B: np.ndarray | None = None
 
     def __post_init__(self):
-        H = check.matrix("H", self.H)
-        m, n = H.shape[-2:]
-        F = check.matrix("F", self.F, n, n)
+        F = check.square("F", self.F)
+        n = F.shape[-1]
+        H = check.matrix("H", self.H, None, n)
+        m = H.shape[-2]
         Q = check.covariance("Q", self.Q, n)
         R = check.covariance("R", self.R, m, definite=True)
         B = None if self.B is None else check.matrix("B", self.B, n, None)
@@ -128,12 +129,9 @@ class NonlinearModel:
 
     def move_slope(self, x, u=None, k=0):
         """The Jacobian of f at x (..., n): (..., n, n)."""
-        given = () if u is None else (u,)
-        if self.F_jacobian is not None:
-            return self.F_jacobian(x, *given)
-        # One more axis for the columns of the Jacobian: the control input has to broadcast along it.
-        columns = () if u is None else (u[..., None, :],)
-        return numerical_jacobian(lambda points: self.f(points, *columns), x)
+        if self.F_jacobian is None:
+            return numerical_jacobian(lambda points: self.move(points, u), x)
+        return self.F_jacobian(x) if u is None else self.F_jacobian(x, u)
 
     def measure_slope(self, x, k=0):
         """The Jacobian of h at x (..., n): (..., m, n)."""
@@ -158,15 +156,23 @@ def apply(matrix, x):
     return x @ matrix.T if matrix.ndim == 2 else np.matvec(matrix, x)
 
 
-def numerical_jacobian(function, x, difference=np.subtract):
-    """The Jacobian (..., m, n) of `function` at x (..., n) by central differences, with 5 to 10 correct digits.
+def stacks(model):
+    """{name: matrix} of the model's matrices that come as a stack (..., T, rows, columns)."""
+    matrices = {name: getattr(model, name, None) for name in "FHBQR"}
+    return {name: M for name, M in matrices.items() if M is not None and M.ndim > 2}
 
-    `difference(a, b)` subtracts two values of the function; give the model's own for angles.
+
+def numerical_jacobian(function, x, difference=np.subtract):
+    """The Jacobian (..., m, n) of `function` at x (..., n) by central differences, with 5 to 10 correct digits where
+    the components of x are of the order of 1 or more: the step is 6e-6 max(|x|, 1).
+
+    `function` gets states with one more axis in front, (n, ..., n). `difference(a, b)` subtracts two of its values;
+    give the model's own for angles.
     """
+    x = np.asarray(x, dtype=float)
     step = np.cbrt(np.finfo(float).eps) * np.maximum(abs(x), 1)
-    shift = step[..., :, None] * np.eye(x.shape[-1])
-    ahead, behind = function(x[..., None, :] + shift), function(x[..., None, :] - shift)
-    return (difference(ahead, behind) / (2 * step[..., None])).mT
+    shift = np.moveaxis(step[..., None, :] * np.eye(x.shape[-1]), -2, 0)
+    return np.moveaxis(difference(function(x + shift), function(x - shift)), 0, -1) / (2 * step[..., None, :])
 
 
 def random_walk(Q, R):
@@ -182,8 +188,8 @@ def constant_velocity(dt, acceleration, R):
     `acceleration` (m/s²) is the standard deviation of the unknown acceleration, constant during a step, new at each:
     Q = σ² Γ Γᵀ with Γ = [dt²/2, dt] (Bar-Shalom, Li and Kirubarajan 2001, eq. 6.3.2-4).
     """
-    push = _kick(dt)
-    return LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=acceleration**2 * push @ push.T, R=R)
+    push, sigma = _kick(dt), check.number("acceleration", acceleration)
+    return LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=sigma**2 * push @ push.T, R=R)
 
 
 def cart(dt, mass, Q, R):
@@ -192,9 +198,11 @@ def cart(dt, mass, Q, R):
     s_k = s + v dt + F/(2m) dt², v_k = v + F/m dt. Q (2, 2) is the covariance of what disturbs a step, R (m²) the
     variance of the measured position.
     """
-    return LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=Q, R=R, B=_kick(dt) / mass)
+    push = _kick(dt) / check.number("mass", mass, positive=True)
+    return LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=Q, R=R, B=push)
 
 
 def _kick(dt):
     """What one unit of constant acceleration does to [position, velocity] in dt seconds, (2, 1)."""
+    dt = check.number("dt", dt, positive=True)
     return np.array([[dt**2 / 2], [dt]])

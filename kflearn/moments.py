@@ -8,17 +8,24 @@ from typing import NamedTuple
 
 import numpy as np
 
+from . import _checks as check
 from .gaussian import root
 
 
 class Moments(NamedTuple):
-    """Mean (..., m) and covariance (..., m, m) of the output, its cross-covariance (..., n, m) with the input, and the
-    matrix (..., m, n) of a linear map where there is one."""
+    """Mean (..., m) and covariance (..., m, m) of the output, and its cross-covariance (..., n, m) with the input.
+
+    The other three say how these came about, for those who must not subtract covariances. Where the input varies by d,
+    the output varies by `slope` d and by what no slope explains, of covariance `rest` (..., m, m). With a `basis` L,
+    L Lᵀ being the input's covariance, where the input varies by L ξ the output varies by `slope` ξ.
+    """
 
     mean: np.ndarray
     cov: np.ndarray
     cross: np.ndarray
-    matrix: np.ndarray | None = None
+    slope: np.ndarray
+    basis: np.ndarray | None = None
+    rest: np.ndarray | float = 0.0
 
 
 def linearize(belief, function, slope, difference=np.subtract):
@@ -44,29 +51,34 @@ class SigmaPoints(NamedTuple):
     others: float
 
     def __call__(self, belief, function, slope=None, difference=np.subtract):
-        """Push the points through `function` and take their weighted moments; `slope` is not needed."""
-        reach = self.spread * root(belief.cov).mT  # its rows are the steps from the mean to the points
-        reach = np.concatenate([np.zeros_like(reach[..., :1, :]), reach, -reach], axis=-2)
-        out = function(belief.mean[..., None, :] + reach)
+        """Push the points through `function` and take their weighted moments; `slope` is not needed.
+
+        `function` gets all points at once, (2n+1, ..., n).
+        """
+        n = belief.mean.shape[-1]
+        L = np.broadcast_to(root(belief.cov), (*belief.batch, n, n))
+        reach = self.spread * np.moveaxis(L, -1, 0)
+        out = function(belief.mean + np.concatenate([np.zeros_like(reach[:1]), reach, -reach]))
         # All relative to the image of the mean: weights of ±1e4 then cost no digits, and angles may wrap.
-        centre = out[..., :1, :]
-        offset = difference(out, centre)
-        shift = self.others * offset[..., 1:, :].sum(axis=-2)
-        deviation = offset - shift[..., None, :]
-        weights = np.full(out.shape[-2], self.others)
-        weights[0] = self.cov_centre
-        weighted = (deviation * weights[:, None]).mT
-        return Moments(centre[..., 0, :] + shift, weighted @ deviation, (weighted @ reach).mT)
+        offset = difference(out[1:], out[0])
+        ahead, behind = offset[:n], offset[n:]
+        shift = self.others * offset.sum(axis=0)
+        # A straight line moves a pair of points by ±: its slope is in their difference, what bends in their sum.
+        slope = np.moveaxis(ahead - behind, 0, -1) / (2 * self.spread)
+        bend = np.moveaxis((ahead + behind) / 2 - shift, 0, -1)
+        rest = 2 * self.others * bend @ bend.mT + self.cov_centre * shift[..., :, None] * shift[..., None, :]
+        return Moments(out[0] + shift, slope @ slope.mT + rest, L @ slope.mT, slope, L, rest)
 
 
 def unscented(n, alpha=1.0, beta=2.0, kappa=0.0):
     """The scaled unscented rule for n states (Wan and van der Merwe 2000): λ = α²(n + κ) − n.
 
-    Raises ValueError unless n + λ is positive.
+    Raises ValueError unless alpha and n + kappa are positive.
     """
+    alpha, beta = check.number("alpha", alpha, positive=True), check.number("beta", beta)
+    if not n + check.number("kappa", kappa) > 0:
+        raise ValueError(f"kappa must be greater than -{n}, or else the points do not spread, got {kappa}")
     scale = alpha**2 * (n + kappa)
-    if not scale > 0:
-        raise ValueError(f"alpha and kappa must give alpha² (n + kappa) > 0, got {scale:g} for n = {n}")
     centre = 1 - n / scale
     return SigmaPoints(np.sqrt(scale), centre + 1 - alpha**2 + beta, 1 / (2 * scale))
 

@@ -65,7 +65,7 @@ class Playground:
         self.errors, self.last_error, self.status = 0, None, ""
         self._lock = threading.RLock()  # JupyterLab's messages and the cells run in different threads
         self._asked = self._drawn = 0  # moves so far; moves that the picture shows
-        self._oldest = 0.0  # when the first move came that the picture does not show
+        self._oldest = self._finished = 0.0  # when the first move came that it does not show; when it was made
         self.controls = {name: c.attach(name, self._moved, self._lock) for name, c in controls.items()}
         self._stage()
         self._assemble()
@@ -142,20 +142,20 @@ class Playground:
         return {name: self.controls[name].checked(value) for name, value in values.items()}
 
     def _moved(self):
-        """A control has a new value: make a picture soon, one for all the moves that arrive in the meantime."""
+        """A control has a new value. The first move is drawn at once; of those on its heels, the last is."""
+        now = time.monotonic()
         if self._drawn == self._asked:
-            self._oldest = time.monotonic()
+            self._oldest = now
         self._asked += 1
         try:
             loop = asyncio.get_running_loop()
         except RuntimeError:  # no event loop, so nothing would come back to it later
             return self.refresh()
-        if time.monotonic() - self._oldest > PATIENCE:
-            return self.refresh()
-        loop.call_later(QUIET, self._settle, self._asked)
+        waited = now - self._finished > QUIET or now - self._oldest > PATIENCE
+        loop.call_later(0 if waited else QUIET, self._settle, self._asked, waited)
 
-    def _settle(self, asked):
-        if asked == self._asked and self._drawn < asked:
+    def _settle(self, asked, waited):
+        if self._drawn < asked and (waited or asked == self._asked):
             self.refresh()
 
     # -- the picture
@@ -170,7 +170,7 @@ class Playground:
                 self.errors, self.last_error = self.errors + 1, error
                 self.status = f"The picture is the one before: this setting made a {type(error).__name__}: {error}"
                 picture = None
-            self._drawn = asked
+            self._drawn, self._finished = asked, time.monotonic()
             self._send(picture)
 
     def png(self):
@@ -246,7 +246,7 @@ class Playground:
             self._render()
         assert not re.search(r"\b(nan|inf)\b", self.status, re.IGNORECASE), f"not a number in {self.status!r}"
         for thing in _leaves(self._artists):
-            for numbers in _data(thing):
+            for numbers in filter(lambda data: data is not None, _data(thing)):
                 finite = np.isfinite(np.ma.masked_array(numbers, dtype=float)).filled(True).all()
                 assert finite, f"a value that is not finite in {textwrap.shorten(str(thing), 80)}"
 

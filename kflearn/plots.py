@@ -87,7 +87,7 @@ class Drawn:
 
     def set(self, *data):
         """Move it in place; the same arguments as when it was drawn, without the axes."""
-        self.data = tuple(np.ma.masked_array(d, dtype=float) for d in data if d is not None)
+        self.data = data
         self._move(*data)
         return self
 

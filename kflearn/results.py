@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .gaussian import Gaussian
+from .gaussian import Gaussian, tidy
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,6 +26,10 @@ class Track:
     _predicted: Callable[[], Gaussian] = field(repr=False)
     _innovation: Callable[[], Gaussian] = field(repr=False)
 
+    def __post_init__(self):
+        self.gain.flags.writeable = False
+        _fixed(self.filtered)
+
     @property
     def mean(self):
         """Short for filtered.mean."""
@@ -44,12 +48,12 @@ class Track:
     @cached_property
     def predicted(self):
         """The beliefs before each measurement."""
-        return self._predicted()
+        return _fixed(self._predicted())
 
     @cached_property
     def innovation(self):
         """The differences between measured and expected, with the covariance S the filter gives them."""
-        return self._innovation()
+        return _fixed(self._innovation())
 
     @cached_property
     def nis(self):
@@ -60,6 +64,13 @@ class Track:
     def log_likelihood(self):
         """The logarithm of the probability density of the whole series under the model, (...)."""
         return _scores(self.innovation)[1].sum(axis=-1)
+
+
+def _fixed(belief):
+    """The same belief, read-only: what is worked out later must still agree with it."""
+    tidy(belief)
+    belief.mean.flags.writeable = belief.cov.flags.writeable = False
+    return belief
 
 
 def _scores(innovation):

@@ -4,12 +4,16 @@ Each function makes a `Scenario`; its keyword `variant` chooses between the publ
 ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 2022 (see the sources in lesson 00).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
+from . import _checks as check
+from . import bearings
+from .angles import angle_difference
 from .gaussian import Gaussian
-from .models import LinearModel, random_walk
+from .models import LinearModel, NonlinearModel, random_walk
 from .models import cart as cart_model
 from .simulation import Simulation, simulate
 
@@ -38,6 +42,24 @@ class Scenario:
         return Simulation(truth.x, truth.z, self.u)
 
 
+@dataclass(frozen=True, eq=False)
+class Recorded(Scenario):
+    """A system whose data no model made: record(steps, rng) returns one run, true states (T, n), measurements (T, m).
+
+    truth_model and truth_start are None.
+    """
+
+    record: Callable = None
+
+    def simulate(self, runs=None, rng=None):
+        """As Scenario.simulate."""
+        rng = np.random.default_rng(rng)
+        if runs is None:
+            return Simulation(*self.record(self.steps, rng), None)
+        series = [self.record(self.steps, rng) for _ in range(check.whole_number("runs", runs))]
+        return Simulation(*(np.stack(part) for part in zip(*series, strict=True)), None)
+
+
 def cart():
     """[KP] Newton's cart, one step of one second: it rolls at 10 m/s and a tape measure reads 62 m.
 
@@ -59,6 +81,7 @@ def voltmeter(variant="published", Q=4.0, R=4.0, steps=20):
     variant "constant": the source stays at 12 V.
     The filter starts knowing nothing: N(0, 100²). (As published it starts at its first reading: `start_from`.)
     """
+    check.whole_number("steps", steps)
     truths = {
         "published": (LinearModel(F=0, H=1, Q=4, R=4, B=1), Gaussian(12, 4), np.full((steps, 1), 12.0)),
         "random walk": (random_walk(4, 4), Gaussian(12, 4), None),
@@ -81,10 +104,10 @@ def temperature():
 
 
 def free_fall():
-    """[KM] A body falls from 95 m: state [height (m), velocity (m/s)], gravity −1 m/s² as control input, Q = 0, R = 1 m².
+    """[KM] A body falls from 95 m: state [height (m), velocity (m/s)], gravity −1 m/s² as control input.
 
-    1000 steps of 1 s; truth and filter start at [95, 1], the filter with P = diag(10, 1). As published the fall does
-    not stop at the ground.
+    Q = 0, R = 1 m²; 999 steps of 1 s; truth and filter start at [95, 1], the filter with P = diag(10, 1). As published
+    the fall does not stop at the ground.
     """
     model = LinearModel(F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, B=[[0.5], [1]])
     start, u = np.array([95.0, 1.0]), np.full((999, 1), -1.0)
@@ -103,10 +126,10 @@ def train(start_speed_variance=1.0):
 
 
 def ship(variant="published"):
-    """[KM] A ship and its GPS: state [x, vx, y, vy] in m and m/s, both positions measured every second, R = 100 m² each.
+    """[KM] A ship and its GPS: state [x, vx, y, vy] in m and m/s, both positions measured every second.
 
-    Q = 0.01 diag(0.5, 1, 0.5, 1), 79 steps, P₀ = I. variant "published": the filter starts at the exact truth
-    [−100, 2, 200, 20]; "honest start": the truth is drawn from N([−100, 2, 200, 20], P₀).
+    R = 100 m² each, Q = 0.01 diag(0.5, 1, 0.5, 1), 79 steps, P₀ = I. variant "published": the filter starts at the
+    exact truth [−100, 2, 200, 20]; "honest start": the truth is drawn from N([−100, 2, 200, 20], P₀).
     """
     axis = np.eye(2)
     model = LinearModel(
@@ -118,6 +141,29 @@ def ship(variant="published"):
     initial = Gaussian([-100, 2, 200, 20], np.eye(4))
     start = _variant({"published": initial.mean, "honest start": initial}, variant)
     return Scenario("A ship and its GPS.", model, initial, model, start, steps=79)
+
+
+def bearing(variant="typical", q=200.0, r=500.0, steps=325):
+    """[KP] The bearing of a sound source, from a microphone array that reports whole degrees, 0 to 359.
+
+    The filter believes in a random walk of variance q (deg²) a sample, measured with variance r (deg²), as published;
+    its innovation is wrapped. Start: N(180°, 180²), nothing known. The recordings are look-alikes of real ones, see
+    `kflearn.bearings`; variants from calm to hard: "calm", "typical", "reflections", "switching", "crossing", "hard".
+    The true bearing .x is not wrapped: compare with angle_difference.
+    """
+    habits = _variant(bearings.VARIANTS, variant)
+    model = NonlinearModel(lambda x: x, lambda x: x, q, r, _one, _one, angle_difference)
+
+    def record(steps, rng):
+        truth, reported = bearings.recording(habits, check.whole_number("steps", steps), rng)
+        return truth[:, None], reported[:, None]
+
+    description = f"A microphone array reports the bearing of a sound source: {variant}."
+    return Recorded(description, model, Gaussian(180, 180**2), None, None, steps, record=record)
+
+
+def _one(x):
+    return np.ones((*x.shape, 1))
 
 
 def _variant(choices, variant):

@@ -1,0 +1,110 @@
+"""How quickly a picture follows a slider, in JupyterLab in a real browser: the course's playground beside plain `interact`.
+
+    python bench/playground.py
+
+Both draw the same: a Kalman filter over 200 steps, two axes, 800 × 500 pixels. Printed are the time from a key to the new
+picture (median), the pictures a second while a slider is dragged, and the ratios.
+"""
+
+import statistics
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
+from lab import CHROMIUM, Lab, browser, notebook, server
+
+FILTER = """
+import numpy as np
+from kflearn import Gaussian, LinearModel, kalman_filter
+rng = np.random.default_rng(1)
+t = np.arange(200)
+x = np.cumsum(rng.normal(0, 0.2, 200))
+z = x + rng.normal(0, 1, 200)
+def run(Q, R):
+    track = kalman_filter(LinearModel([[1]], [[1]], [[Q]], [[R]]), z, Gaussian([0], [[10]]))
+    return track.mean[:, 0], np.sqrt(track.cov[:, 0, 0]), track.gain[:, 0, 0]
+"""
+
+OURS = """
+from kflearn import plots
+from kflearn.playground import Playground, log_slider
+def draw(fig):
+    above, below = fig.subplots(2, 1, sharex=True, height_ratios=(2, 1))
+    plots.truth(above, t, x)
+    plots.measurements(above, t, z)
+    mean, std, k = run(0.04, 1)
+    live = plots.estimate(above, t, mean, std), plots.gain(below, t, k)
+    above.set(ylabel="voltage / V", ylim=(-6, 6))
+    below.set(xlabel="time / s", ylabel="gain", ylim=(0, 1.05))
+    above.legend(ncols=4)
+    return live
+def update(live, Q, R):
+    mean, std, k = run(Q, R)
+    live[0].set(t, mean, std)
+    live[1].set(t, k)
+    return f"Q = {Q:g}, R = {R:g}: steady gain {k[-1]:.2f}"
+Playground(draw, update, Q=log_slider(1e-3, 1e3, 0.04), R=log_slider(1e-3, 1e3, 1), size=(8, 5))
+"""
+
+INTERACT = """
+import matplotlib.pyplot as plt
+from ipywidgets import FloatLogSlider, interact
+def picture(Q, R):
+    mean, std, k = run(Q, R)
+    fig, (above, below) = plt.subplots(2, 1, sharex=True, height_ratios=(2, 1), figsize=(8, 5), dpi=100)
+    above.plot(t, x, "k-", label="truth")
+    above.plot(t, z, ".", color="gray", label="measurement")
+    above.fill_between(t, mean - 2 * std, mean + 2 * std, alpha=0.2, label="±2σ")
+    above.plot(t, mean, label="estimate")
+    above.set(ylabel="voltage / V", ylim=(-6, 6))
+    below.plot(t, k, "g-.")
+    below.set(xlabel="time / s", ylabel="gain", ylim=(0, 1.05))
+    above.legend(ncols=4)
+    plt.show()
+interact(picture, Q=FloatLogSlider(0.04, min=-3, max=3, step=0.05), R=FloatLogSlider(1, min=-3, max=3, step=0.05));
+"""
+
+
+def measure(chromium, url, name, keys=25):
+    """Milliseconds from a key to its picture (median), pictures a second while dragging."""
+    lab = Lab(chromium, url, name)
+    lab.run_all()
+    lab.settle()
+    times = []
+    for i in range(keys):
+        seen = lab.page.evaluate("loads.length")
+        lab.press(0, "ArrowRight" if i % 8 < 4 else "ArrowLeft")
+        lab.page.wait_for_function(f"() => loads.length > {seen}")
+        times.append(lab.page.evaluate(f"loads[{seen}] - keys.at(-1)"))
+        lab.settle(0.15)
+    seen = lab.page.evaluate("loads.length")
+    took = lab.drag(1, -0.35, swings=3)
+    count = lab.page.evaluate("loads.length") - seen
+    lab.page.close()
+    return statistics.median(times), count / took
+
+
+def main():
+    if not CHROMIUM:
+        sys.exit("no Chromium found: install chromium, chromium-browser or google-chrome")
+    with tempfile.TemporaryDirectory() as folder, browser() as chromium:
+        notebook(Path(folder, "ours.ipynb"), FILTER, OURS)
+        notebook(Path(folder, "interact.ipynb"), FILTER, INTERACT)
+        with server(folder) as url:
+            ours = measure(chromium, url, "ours.ipynb")
+            plain = measure(chromium, url, "interact.ipynb")
+        with server(folder, config=None) as url:
+            nagle = measure(chromium, url, "ours.ipynb")
+    print(f"{'':44}{'key → picture':>14}{'pictures/s':>12}")
+    for label, (wait, rate) in {
+        "interact with pyplot": plain,
+        "playground": ours,
+        "playground, without jupyter_server_config.py": nagle,
+    }.items():
+        print(f"{label:44}{wait:11.0f} ms{rate:12.1f}")
+    print(f"{'interact : playground, goals ≥ 3 and ≥ 4':44}{plain[0] / ours[0]:12.1f} ×{ours[1] / plain[1]:10.1f} ×")
+
+
+if __name__ == "__main__":
+    main()

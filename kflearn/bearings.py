@@ -1,0 +1,99 @@
+"""Look-alikes of the recordings behind the bearing demo: a microphone array reports whole degrees, 0 to 359.
+
+No recording ships with the course. The generator has the statistics of six real ones: a sparse grid of preferred
+directions, values that dwell (heavy-tailed), small steps about the true level, bursts of outliers that often alternate
+between two reflections, sudden switches to another source, and a track that crosses from 360 to 0.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .angles import angle_difference
+
+_GAPS = np.random.default_rng(360).permutation(np.repeat([1, 2, 3, 4], [42, 41, 36, 32]))
+GRID = np.cumsum(_GAPS) % 360  # the 151 directions that occur, whole degrees
+
+
+class Habits(NamedTuple):
+    """How a recording behaves.
+
+    level: the share of dwells at the true level; stay: their mean length in samples; spread: standard deviation of the
+    other values about the level (degrees); bursts: chance that one begins at a sample; reflections: share of the bursts
+    that alternate between two fixed wrong values; switches: how often the source changes; drift: degrees a sample.
+    """
+
+    level: float
+    stay: float
+    spread: float
+    bursts: float
+    reflections: float = 0.5
+    switches: int = 0
+    drift: float = 0.0
+
+
+VARIANTS = {
+    "calm": Habits(level=0.40, stay=12, spread=2.5, bursts=0.0),
+    "typical": Habits(level=0.32, stay=6, spread=2.5, bursts=0.02),
+    "reflections": Habits(level=0.45, stay=9, spread=2.5, bursts=0.11, reflections=0.9),
+    "switching": Habits(level=0.34, stay=6, spread=2.5, bursts=0.02, switches=3),
+    "crossing": Habits(level=0.34, stay=6, spread=2.5, bursts=0.02, drift=0.12),
+    "hard": Habits(level=0.30, stay=2.5, spread=3.0, bursts=0.06, switches=2),
+}
+
+
+def recording(habits, steps, rng):
+    """One recording: the true bearing (steps,) in degrees, not wrapped, and the reported one, whole degrees."""
+    truth = _source(habits, steps, rng)
+    reported = _dwells(habits, truth, rng)
+    for begin, length in _bursts(habits, steps, rng):
+        end = min(begin + length, steps)
+        reported[begin:end] = _wrong(habits, truth[begin], end - begin, rng)
+    return truth, reported
+
+
+def _source(habits, steps, rng):
+    """Where the sound comes from: constant or drifting, with switches of 50° to 160°."""
+    start = GRID[rng.integers(GRID.size)] if not habits.drift else 360 - habits.drift * steps * rng.uniform(0.3, 0.7)
+    truth = start + habits.drift * np.arange(steps)
+    for moment in rng.integers(steps // 8, steps, habits.switches):
+        truth[moment:] += rng.choice([-1, 1]) * rng.uniform(50, 160)
+    return truth
+
+
+def _dwells(habits, truth, rng):
+    """Values that dwell: long at the direction nearest to the truth, short at neighbours of it."""
+    reported = np.empty(len(truth))
+    k = 0
+    while k < len(truth):
+        at_level = rng.random() < habits.level
+        length = rng.geometric(1 / habits.stay if at_level else 0.85)
+        offset = 0 if at_level else np.clip(rng.normal(0, habits.spread), -4, 4)
+        for j in range(k, min(k + length, len(truth))):
+            reported[j] = nearest(truth[j]) if at_level else nearest(truth[k] + offset)
+        k += length
+    return reported
+
+
+def _bursts(habits, steps, rng):
+    """Beginnings and lengths (1 to 9, mean 2.2) of the bursts of outliers."""
+    free = 0
+    for begin in np.flatnonzero(rng.random(steps) < habits.bursts):
+        if begin > free:
+            length = min(rng.geometric(0.45), 9)
+            free = begin + length
+            yield begin, length
+
+
+def _wrong(habits, level, length, rng):
+    """A burst: the same wrong direction again and again, or two that alternate; 10° to 160° off, median 28°."""
+    off = np.clip(28 * np.exp(0.6 * rng.standard_normal(2)), 10, 160) * rng.choice([-1, 1], 2)
+    if rng.random() > habits.reflections:
+        off[1] = off[0]
+    return nearest(level + off[np.arange(length) % 2])
+
+
+def nearest(angle):
+    """The nearest direction of the grid, any shape."""
+    distance = abs(angle_difference(np.asarray(angle)[..., None], GRID))
+    return GRID[np.argmin(distance, axis=-1)].astype(float)

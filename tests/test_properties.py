@@ -1,0 +1,365 @@
+"""What must hold for every model and all data (Hypothesis)."""
+
+import numpy as np
+import pytest
+from helpers import (
+    as_nonlinear,
+    bent,
+    close,
+    random_belief,
+    random_covariance,
+    random_model,
+    same_track,
+    textbook,
+    with_gaps,
+)
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kflearn import (
+    Gaussian,
+    LinearModel,
+    constant_velocity,
+    correct,
+    cubature_kalman_filter,
+    extended_kalman_filter,
+    kalman_filter,
+    predict,
+    simulate,
+    unscented_kalman_filter,
+)
+
+settings.register_profile("course", max_examples=20, deadline=None, derandomize=True, database=None)
+settings.load_profile("course")
+
+SIGMA = [unscented_kalman_filter, cubature_kalman_filter]
+NONLINEAR = [extended_kalman_filter, *SIGMA]
+ALL = [kalman_filter, *NONLINEAR]
+
+seeds = st.integers(0, 2**32 - 1).map(np.random.default_rng)
+states = st.integers(1, 4)
+outputs = st.integers(1, 3)
+every_filter = pytest.mark.parametrize("kf", ALL, ids=lambda f: f.__name__)
+every_nonlinear_filter = pytest.mark.parametrize("kf", NONLINEAR, ids=lambda f: f.__name__)
+
+
+def lowest(P, relative_to=None):
+    """The lowest eigenvalue of each P in units of the highest of `relative_to`, or of P itself."""
+    highest = np.linalg.eigvalsh(P if relative_to is None else relative_to)[..., -1]
+    return (np.linalg.eigvalsh(P)[..., 0] / np.where(highest > 0, highest, 1)).min()
+
+
+@every_filter
+@given(rng=seeds, n=states, m=outputs, spread=st.floats(-6, 6), noise=st.floats(-6, 6), drop=st.integers(0, 4))
+def test_covariances_stay_symmetric_and_positive(kf, rng, n, m, spread, noise, drop):
+    # Start and Q may be singular, and twelve powers of ten apart from R.
+    rank = max(n - drop, 1) if drop else None
+    model = random_model(rng, n, m).replace(Q=random_covariance(rng, n, rank), R=10**noise * random_covariance(rng, m))
+    initial = Gaussian(np.zeros(n), 10**spread * random_covariance(rng, n, rank))
+    z = with_gaps(rng, rng.normal(size=(12, m)))
+    track = kf(model if kf is kalman_filter else bent(model), z, initial)
+    for belief in (track.predicted, track.filtered):
+        assert np.isfinite(belief.mean).all()
+        assert (abs(belief.cov - belief.cov.mT) <= 1e-13 * abs(belief.cov).max()).all()
+        assert (belief.variance >= 0).all()
+        assert lowest(belief.cov, track.predicted.cov) > -1e-14
+        Gaussian(belief.mean, belief.cov)  # and a belief made of them passes for one
+    assert lowest(track.innovation.cov) > 0
+
+
+@pytest.mark.parametrize("kf", [kalman_filter, unscented_kalman_filter], ids=lambda f: f.__name__)
+@given(rng=seeds, degrees=st.sampled_from([1, 30, 45, 60, 90]), size=st.floats(-3, 3), noise=st.floats(-3, 3))
+def test_what_is_known_exactly_gets_no_negative_variance(kf, rng, degrees, size, noise):
+    # One direction of the state is known exactly and turns: its variance is 0, and rounding makes it ±1e-16.
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    model = LinearModel([[c, -s], [s, c]], [[1, 0]], np.zeros((2, 2)), 10**noise)
+    track = kf(model, rng.normal(size=24), Gaussian([0, 0], np.diag([10**size, 0])))
+    steps = [predict(model, Gaussian([0, 0], np.diag([10**size, 0])))]
+    steps.append(correct(model, steps[0], 1.0))
+    for belief in (track.predicted, track.filtered, *steps):
+        assert (belief.variance >= 0).all()
+        assert np.isfinite(belief.std).all()
+        Gaussian(belief.mean, belief.cov)
+
+
+@every_filter
+@given(rng=seeds, n=states, m=outputs, gaps=st.booleans(), shared_u=st.booleans(), varying=st.booleans())
+def test_a_batch_is_a_loop_over_its_runs(kf, rng, n, m, gaps, shared_u, varying):
+    runs, T, p = 4, 7, 2
+    model = random_model(rng, n, m, p, steps=T if varying else None)
+    if kf in NONLINEAR and not varying:
+        model = bent(model)
+    z, u = rng.normal(size=(runs, T, m)), rng.normal(size=(runs, T, p))
+    z = with_gaps(rng, z) if gaps else z
+    u = u[0] if shared_u else u
+    initial = random_belief(rng, n)
+    together = kf(model, z, initial, u)
+    assert together.mean.shape == (runs, T, n)
+    assert together.log_likelihood.shape == (runs,)
+    for run in range(runs):
+        alone = kf(model, z[run], initial, u if shared_u else u[run])
+        close(together.mean[run], alone.mean)
+        close(together.predicted.mean[run], alone.predicted.mean)
+        close(together.innovation.mean[run], alone.innovation.mean)
+        close(together.nis[run], alone.nis)
+        close(together.log_likelihood[run], alone.log_likelihood)
+        for batched, single in (
+            (together.cov, alone.cov),
+            (together.gain, alone.gain),
+            (together.predicted.cov, alone.predicted.cov),
+            (together.innovation.cov, alone.innovation.cov),
+        ):
+            close(batched[run] if batched.ndim > 3 else batched, single)
+
+
+@given(rng=seeds, n=states, m=outputs)
+def test_without_gaps_one_covariance_serves_all_runs(rng, n, m):
+    track = kalman_filter(random_model(rng, n, m), rng.normal(size=(5, 6, m)), random_belief(rng, n))
+    assert track.cov.shape == track.predicted.cov.shape == (6, n, n)
+    assert track.gain.shape == (6, n, m)
+
+
+@every_filter
+@given(rng=seeds, n=states, m=outputs)
+def test_the_coordinates_of_the_state_do_not_matter(kf, rng, n, m):
+    model, initial = random_model(rng, n, m, p=1), random_belief(rng, n)
+    z, u = with_gaps(rng, rng.normal(size=(10, m))), rng.normal(size=(10, 1))
+    T = random_covariance(rng, n) + rng.normal(size=(n, n)) / 5 + np.eye(n)  # any invertible matrix
+    inverse = np.linalg.inv(T)
+    turned = LinearModel(T @ model.F @ inverse, model.H @ inverse, T @ model.Q @ T.T, model.R, T @ model.B)
+    track, other = kf(model, z, initial, u), kf(turned, z, Gaussian(T @ initial.mean, T @ initial.cov @ T.T), u)
+    tolerance = 1e-12 * np.linalg.cond(T) ** 2
+    close(other.mean, track.mean @ T.T, tolerance)
+    close(other.cov, T @ track.cov @ T.T, tolerance)
+    close(other.nis, track.nis, tolerance)
+    close(other.log_likelihood, track.log_likelihood, tolerance)
+
+
+@every_filter
+@given(rng=seeds, n=states, m=outputs, powers=st.lists(st.integers(-6, 6), min_size=7, max_size=7), full=st.booleans())
+def test_other_units_only_rescale(kf, rng, n, m, powers, full):
+    model = random_model(rng, n, m).replace(Q=random_covariance(rng, n, None if full else 1))
+    initial = Gaussian(rng.normal(size=n), random_covariance(rng, n, None if full else 1))
+    z = with_gaps(rng, rng.normal(size=(10, m)))
+    X, Z = 10.0 ** np.array(powers[:n]), 10.0 ** np.array(powers[4 : 4 + m])
+    XX, ZZ = np.outer(X, X), np.outer(Z, Z)
+    rescaled = LinearModel(model.F * np.outer(X, 1 / X), model.H * np.outer(Z, 1 / X), model.Q * XX, model.R * ZZ)
+    track, other = kf(model, z, initial), kf(rescaled, z * Z, Gaussian(initial.mean * X, initial.cov * XX))
+    close(other.mean / X, track.mean)
+    close(other.cov / XX, track.cov)
+    close(other.gain / np.outer(X, 1 / Z), track.gain)
+    close(other.innovation.cov / ZZ, track.innovation.cov)
+    close(other.nis, track.nis)
+    seen = (~np.isnan(z) * np.log(Z)).sum()  # a density per kilometre is not one per metre
+    close(other.log_likelihood + seen, track.log_likelihood)
+
+
+@given(rng=seeds, n=states)
+def test_fusion_commutes_associates_and_is_a_correction(rng, n):
+    a, b, c = (random_belief(rng, n) for _ in range(3))
+    for one, other in ((a.fuse(b), b.fuse(a)), (a.fuse(b).fuse(c), a.fuse(b.fuse(c)))):
+        close(one.mean, other.mean)
+        close(one.cov, other.cov)
+    direct = LinearModel(np.eye(n), np.eye(n), np.zeros((n, n)), b.cov)
+    after = correct(direct, a, b.mean)
+    close(a.fuse(b).mean, after.mean)
+    close(a.fuse(b).cov, after.cov)
+
+
+@given(rng=seeds, n=states, m=outputs)
+def test_more_data_never_raises_the_covariance(rng, n, m):
+    model, initial = random_model(rng, n, m), random_belief(rng, n)
+    z = rng.normal(size=(10, m))
+    some, fewer = with_gaps(rng, z), None
+    fewer = with_gaps(rng, some)
+    tracks = [kalman_filter(model, data, initial) for data in (z, some, fewer, np.full_like(z, np.nan))]
+    for more, less in zip(tracks, tracks[1:], strict=False):
+        assert lowest(less.cov - more.cov, less.cov) > -1e-12
+    for track in tracks:
+        assert lowest(track.predicted.cov - track.cov, track.predicted.cov) > -1e-12
+
+
+@every_filter
+@given(rng=seeds, n=states, m=outputs)
+def test_a_missing_row_is_predict_only(kf, rng, n, m):
+    model, initial = random_model(rng, n, m), random_belief(rng, n)
+    model = model if kf is kalman_filter else bent(model)
+    z = rng.normal(size=(6, m))
+    z[3] = np.nan
+    track = kf(model, z, initial)
+    close(track.mean[3], track.predicted.mean[3], 1e-15)
+    close(track.cov[3], track.predicted.cov[3], 1e-13)
+    assert (track.gain[3] == 0).all()
+    assert np.isnan(track.innovation.mean[3]).all()
+    assert np.isnan(track.nis[3])
+    assert np.isfinite(np.delete(track.nis, 3)).all()
+    assert np.isfinite(track.innovation.cov).all()  # what would have been expected is known
+
+
+@every_filter
+@given(rng=seeds, n=states, m=st.integers(2, 3))
+def test_a_component_that_is_never_measured_might_as_well_not_exist(kf, rng, n, m):
+    model, initial = random_model(rng, n, m), random_belief(rng, n)
+    z = rng.normal(size=(8, m))
+    keep = np.sort(rng.permutation(m)[: m - 1])
+    less = model.replace(H=model.H[keep], R=model.R[np.ix_(keep, keep)])
+    gone = np.setdiff1d(np.arange(m), keep)
+    gappy = z.copy()
+    gappy[:, gone] = np.nan
+    if kf in NONLINEAR:
+        model, less = bent(model), bent(less)
+    track, smaller = kf(model, gappy, initial), kf(less, z[:, keep], initial)
+    close(track.mean, smaller.mean)
+    close(track.cov, smaller.cov)
+    close(track.nis, smaller.nis)
+    close(track.log_likelihood, smaller.log_likelihood)
+    close(track.gain[..., keep], smaller.gain)
+    assert (track.gain[..., gone] == 0).all()
+
+
+@given(rng=seeds, n=states, m=outputs, p=st.integers(0, 2), gaps=st.booleans(), varying=st.booleans())
+def test_kalman_filter_is_the_textbook_loop(rng, n, m, p, gaps, varying):
+    T = 9
+    model, initial = random_model(rng, n, m, p, steps=T if varying else None), random_belief(rng, n)
+    z, u = rng.normal(size=(T, m)), rng.normal(size=(T, p)) if p else None
+    z = with_gaps(rng, z) if gaps else z
+    mean, cov, predicted_mean, predicted_cov, log_likelihood = textbook(model, z, initial, u)
+    track = kalman_filter(model, z, initial, u)
+    close(track.mean, mean)
+    close(track.cov, cov)
+    close(track.predicted.mean, predicted_mean)
+    close(track.predicted.cov, predicted_cov)
+    close(track.log_likelihood, log_likelihood)
+    belief = initial
+    for k in range(T):  # and the two steps by hand
+        belief = correct(model, predict(model, belief, None if u is None else u[k], k), z[k], k)
+        close(belief.mean, mean[k])
+        close(belief.cov, cov[k])
+
+
+@pytest.mark.parametrize("runs", [None, 3, 150])
+@settings(max_examples=4)
+@given(rng=seeds, n=states, m=outputs)
+def test_a_converged_gain_changes_nothing(runs, rng, n, m):
+    # Long enough for the gain to come to rest and for the blocked recursion, which only few runs use.
+    model, initial, T = random_model(rng, n, m, p=1, fastest=1), random_belief(rng, n), 1200
+    u = rng.normal(size=(T, 1))
+    z = simulate(model, initial, T, u, runs, rng).z
+    track = kalman_filter(model, z, initial, u)
+    first = z if runs is None else z[-1]
+    mean, cov, predicted_mean, predicted_cov, log_likelihood = textbook(model, first, initial, u)
+    close(track.mean if runs is None else track.mean[-1], mean)
+    close(track.predicted.mean if runs is None else track.predicted.mean[-1], predicted_mean)
+    close(track.cov, cov)
+    close(track.predicted.cov, predicted_cov)
+    close(track.log_likelihood if runs is None else track.log_likelihood[-1], log_likelihood)
+
+
+@settings(max_examples=5)
+@given(ratio=st.floats(-9, 1), start=st.floats(-6, 6), rng=seeds)
+def test_a_slowly_converging_gain_is_not_held_too_early(ratio, start, rng):
+    model, initial = constant_velocity(1, 10**ratio, 1), Gaussian([0, 0], 10**start * np.eye(2))
+    z = rng.normal(size=2000)
+    mean, cov, *_, log_likelihood = textbook(model, z[:, None], initial)
+    track = kalman_filter(model, z, initial)
+    close(track.mean, mean)
+    np.testing.assert_allclose(track.cov, cov, rtol=1e-8)
+    close(track.log_likelihood, log_likelihood)
+
+
+@every_filter
+@given(rng=seeds, n=st.integers(1, 3), m=st.integers(1, 2), gaps=st.booleans())
+def test_axes_of_q_r_and_the_start_make_a_grid(kf, rng, n, m, gaps):
+    model, T = random_model(rng, n, m), 5
+    model = model if kf is kalman_filter else bent(model)
+    Q = np.stack([random_covariance(rng, n) for _ in range(3)])
+    R = np.stack([random_covariance(rng, m) for _ in range(2)])
+    z, initial = rng.normal(size=(4, T, m)), random_belief(rng, n)
+    z = with_gaps(rng, z) if gaps else z
+    wide = model.replace(Q=Q[:, None, None, None], R=R[:, None, None])
+    track = kf(wide, z, initial)
+    assert track.mean.shape == (3, 2, 4, T, n)
+    assert track.log_likelihood.shape == (3, 2, 4)
+    cov, gain = (np.broadcast_to(a, (3, 2, 4, *a.shape[-3:])) for a in (track.cov, track.gain))
+    for i in range(3):
+        for j in range(2):
+            alone = kf(model.replace(Q=Q[i], R=R[j]), z, initial)
+            close(track.mean[i, j], alone.mean)
+            close(track.predicted.mean[i, j], alone.predicted.mean)
+            close(cov[i, j], np.broadcast_to(alone.cov, cov[i, j].shape))
+            close(gain[i, j], np.broadcast_to(alone.gain, gain[i, j].shape))
+            close(track.nis[i, j], alone.nis)
+            close(track.log_likelihood[i, j], alone.log_likelihood)
+    starts = Gaussian(rng.normal(size=(3, 1, n)), Q[:, None])
+    track = kf(model, z, starts)
+    for i in range(3):
+        alone = kf(model, z, Gaussian(starts.mean[i, 0], Q[i]))
+        close(track.mean[i], alone.mean)
+        close(np.broadcast_to(track.cov, (3, 4, T, n, n))[i], np.broadcast_to(alone.cov, (4, T, n, n)))
+
+
+@every_filter
+@given(rng=seeds, n=st.integers(1, 3), m=st.integers(1, 2))
+def test_every_matrix_of_a_linear_model_may_have_batch_axes(kf, rng, n, m):
+    models = [random_model(rng, n, m, 1, steps=5) for _ in range(3)]
+    stacked = LinearModel(*(np.stack([getattr(model, name) for model in models])[:, None] for name in "FHQRB"))
+    z, u, initial = rng.normal(size=(2, 5, m)), rng.normal(size=(2, 5, 1)), random_belief(rng, n)
+    track = kf(stacked, z, initial, u)
+    for i, model in enumerate(models):
+        alone = kf(model, z, initial, u)
+        close(track.mean[i], alone.mean)
+        close(track.predicted.mean[i], alone.predicted.mean)
+        close(track.nis[i], alone.nis)
+
+
+@every_filter
+@given(rng=seeds, n=st.integers(1, 3), m=st.integers(1, 2), gaps=st.booleans())
+def test_log_likelihood_is_the_joint_density_of_the_series(kf, rng, n, m, gaps):
+    T, model, initial = 5, random_model(rng, n, m), random_belief(rng, n)
+    z = rng.normal(size=(T, m))
+    z = with_gaps(rng, z) if gaps else z
+    # x_k = F^k x_0 + sums of F^(k-j) w_j: the means and covariances of all measurements at once.
+    powers = [np.linalg.matrix_power(model.F, k) for k in range(T + 1)]
+    mean = np.concatenate([model.H @ powers[k + 1] @ initial.mean for k in range(T)])
+    cov = np.zeros((T * m, T * m))
+    for k in range(T):
+        for l in range(T):
+            both = powers[k + 1] @ initial.cov @ powers[l + 1].T
+            both = both + sum(powers[k - j] @ model.Q @ powers[l - j].T for j in range(min(k, l) + 1))
+            cov[k * m : (k + 1) * m, l * m : (l + 1) * m] = model.H @ both @ model.H.T + (k == l) * model.R
+    seen = ~np.isnan(z.ravel())
+    error, cov = (z.ravel() - mean)[seen], cov[np.ix_(seen, seen)]
+    expected = -0.5 * (error @ np.linalg.solve(cov, error) + np.linalg.slogdet(2 * np.pi * cov)[1])
+    np.testing.assert_allclose(kf(model, z, initial).log_likelihood, expected, rtol=1e-9, atol=1e-9)
+
+
+@every_nonlinear_filter
+@given(rng=seeds, n=states, m=outputs, p=st.integers(0, 1), gaps=st.booleans(), dressed=st.booleans())
+def test_on_linear_models_all_are_the_kalman_filter(kf, rng, n, m, p, gaps, dressed):
+    model, initial = random_model(rng, n, m, p), random_belief(rng, n)
+    z, u = rng.normal(size=(8, m)), rng.normal(size=(8, p)) if p else None
+    z = with_gaps(rng, z) if gaps else z
+    same_track(kf(as_nonlinear(model) if dressed else model, z, initial, u), kalman_filter(model, z, initial, u))
+
+
+@pytest.mark.parametrize("kf", [extended_kalman_filter], ids=lambda f: f.__name__)
+@given(rng=seeds, n=states, m=outputs, p=st.integers(0, 1))
+def test_jacobians_by_differences_do(kf, rng, n, m, p):
+    model, initial = bent(random_model(rng, n, m, p)), random_belief(rng, n)
+    z, u = rng.normal(size=(3, 6, m)), rng.normal(size=(3, 6, p)) if p else None
+    same_track(kf(model.replace(F_jacobian=None, H_jacobian=None), z, initial, u), kf(model, z, initial, u), 1e-7)
+
+
+@given(rng=seeds, n=states, m=outputs)
+def test_sigma_points_close_together_lose_few_digits(rng, n, m):
+    model, initial, z = random_model(rng, n, m), random_belief(rng, n), rng.normal(size=(10, m))
+    narrow = unscented_kalman_filter(model, z, initial, alpha=0.01)
+    same_track(narrow, kalman_filter(model, z, initial), 1e-6)
+
+
+@pytest.mark.parametrize("kf", SIGMA, ids=lambda f: f.__name__)
+def test_sigma_points_survive_a_start_that_knows_nothing(kf):
+    # The textbook's P − K S Kᵀ is negative here: it subtracts two numbers near 1e12 to find one of 1e-6.
+    model = constant_velocity(1, 0.1, 1e-6)
+    track = kf(model, np.arange(10.0), Gaussian([0, 0], 1e12 * np.eye(2)))
+    np.testing.assert_allclose(track.std[1:, 0], 1e-3, rtol=1e-3)
