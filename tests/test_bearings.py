@@ -99,7 +99,7 @@ def test_sources_switch_and_one_track_crosses_north(recordings):
 
 def test_the_published_series_with_and_without_wrapping():
     z = np.array([339, 8, 8, 30, 355, 3, 8, 3, 8, 3.0])
-    K = 0.463325  # the steady gain of q = 200, r = 500
+    K = 0.4633
     plain, wrapped = [z[0]], [z[0]]
     for reading in z[1:]:
         plain.append(plain[-1] + K * (reading - plain[-1]))
