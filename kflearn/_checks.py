@@ -43,9 +43,13 @@ def shape(name, array, expected):
     if len(found) < len(expected) or any(e not in (None, f) for e, f in zip(expected, found, strict=True)):
         wanted = ", ".join("any" if e is None else str(e) for e in expected)
         comma = "," if len(expected) == 1 else ""
-        got = array.shape if array.ndim else f"the number {array:g}"
-        raise ValueError(f"{name} must have shape ({wanted}{comma}), got {got}")
+        raise ValueError(f"{name} must have shape ({wanted}{comma}), got {found_in(array)}")
     return array
+
+
+def found_in(array):
+    """How to speak of an array of the wrong shape."""
+    return f"{array.shape}" if array.ndim else f"the number {array:g}"
 
 
 def matrix(name, value, rows=None, columns=None):

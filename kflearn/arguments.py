@@ -76,7 +76,8 @@ def _tried(name, function, expected, *arguments):
             value = function(*(np.broadcast_to(a, a.shape) for a in arguments))
         found = np.shape(value)
     except (TypeError, ValueError, IndexError) as error:
-        raise ValueError(f"{wanted}, got an error for an argument of shape {states}: {error}") from error
+        reason = str(error).split(". ")[0]
+        raise ValueError(f"{wanted}, got an error for an argument of shape {states}: {reason}") from error
     whole = (*states[:-1], *expected)
     constant = name.endswith("jacobian") and found == expected
     if found != whole and not constant:
@@ -113,7 +114,7 @@ def _series(name, value, width, gaps=False):
     if array.ndim == 1 and width in (1, None):
         array = array[:, None]
     if array.ndim < 2:
-        raise ValueError(f"{name} must have shape (..., T, {width or 'any'}), got {array.shape}")
+        raise ValueError(f"{name} must have shape (..., T, {width or 'any'}), got {check.found_in(array)}")
     if width not in (None, array.shape[-1]):
-        raise ValueError(f"{name} must have shape (..., T, {width}), got {array.shape}")
+        raise ValueError(f"{name} must have shape (..., T, {width}), got {check.found_in(array)}")
     return array

@@ -96,7 +96,7 @@ class Slider(Control):
         self.widget.layout = ipw.Layout(flex="1 1 22em", max_width="40em", align_items="center", overflow="visible")
 
     def _dragged(self, change):
-        """The slider has moved. The browser moves it to the nearest of its steps by itself too: that is no new value."""
+        """The slider has moved; not a new value when the browser has only put it on the nearest of its steps."""
         if abs(self._place(change["new"]) - self._place(self.value)) > 0.51 * self.slider.step:
             value = float(f"{change['new']:.3g}") if self.log else round(change["new"], 12)
             self.take(self.number(min(max(value, self.low), self.high)))

@@ -30,6 +30,9 @@ from collections.abc import Mapping
 import ipywidgets as ipw
 import numpy as np
 from matplotlib.artist import Artist
+from matplotlib.collections import Collection
+from matplotlib.lines import Line2D
+from matplotlib.text import Text
 
 from . import plots
 from .controls import choice, log_slider, slider, toggle
@@ -244,9 +247,10 @@ class Playground:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             self._render()
-        assert not re.search(r"\b(nan|inf)\b", self.status, re.IGNORECASE), f"not a number in {self.status!r}"
-        for thing in _leaves(self._artists):
-            for numbers in filter(lambda data: data is not None, _data(thing)):
+        for thing in [self.status, *_leaves(self._artists)]:
+            for words in _words(thing):
+                assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), f"not a number in {words!r}"
+            for numbers in _numbers(thing):
                 finite = np.isfinite(np.ma.masked_array(numbers, dtype=float)).filled(True).all()
                 assert finite, f"a value that is not finite in {textwrap.shorten(str(thing), 80)}"
 
@@ -274,12 +278,17 @@ def _moving(thing):
     return sorted(artists, key=lambda artist: artist.get_zorder())
 
 
-def _data(leaf):
-    """The arrays that an object draws."""
-    if isinstance(leaf, plots.Drawn):
-        return leaf.data
-    if hasattr(leaf, "get_data"):  # lines
-        return leaf.get_data(orig=True)
-    if hasattr(leaf, "get_offsets"):  # scatters
-        return [leaf.get_offsets()]
+def _words(thing):
+    """The text that it shows."""
+    return [thing] if isinstance(thing, str) else [thing.get_text()] if isinstance(thing, Text) else []
+
+
+def _numbers(thing):
+    """The arrays that it draws."""
+    if isinstance(thing, plots.Drawn):
+        return [data for data in thing.data if data is not None]
+    if isinstance(thing, Line2D):
+        return thing.get_data(orig=True)
+    if isinstance(thing, Collection):
+        return [thing.get_offsets()]
     return []

