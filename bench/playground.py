@@ -1,9 +1,9 @@
-"""How quickly a picture follows a slider, in JupyterLab in a real browser: the course's playground beside plain `interact`.
+"""How quickly a picture follows a slider, in JupyterLab in a real browser: the course's playground beside `interact`.
 
     python bench/playground.py
 
-Both draw the same: a Kalman filter over 200 steps, two axes, 800 × 500 pixels. Printed are the time from a key to the new
-picture (median), the pictures a second while a slider is dragged, and the ratios.
+Both draw the same: a Kalman filter over 200 steps, two axes, 800 × 500 pixels. Printed are the time from a key to the
+new picture (median), the pictures a second while a slider is dragged, and the ratios.
 """
 
 import statistics
@@ -73,14 +73,11 @@ def measure(chromium, url, name, keys=25):
     lab.settle()
     times = []
     for i in range(keys):
-        seen = lab.page.evaluate("loads.length")
         lab.press(0, "ArrowRight" if i % 8 < 4 else "ArrowLeft")
-        lab.page.wait_for_function(f"() => loads.length > {seen}")
-        times.append(lab.page.evaluate(f"loads[{seen}] - keys.at(-1)"))
         lab.settle(0.15)
-    seen = lab.page.evaluate("loads.length")
+        times.append(lab.page.evaluate(f"loads[{lab.before}] - keys.at(-1)"))
     took = lab.drag(1, -0.35, swings=3)
-    count = lab.page.evaluate("loads.length") - seen
+    count = lab.pictures() - lab.before
     lab.page.close()
     return statistics.median(times), count / took
 

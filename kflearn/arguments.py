@@ -29,11 +29,12 @@ def check_control(model, u):
 
 
 def check_step(model, k):
-    """The step k has to exist in all stacks of the model."""
+    """{name: batch axes} of the model's stacks, in all of which the step k has to exist."""
     check.whole_number("k", k, least=0)
     for name, M in stacks(model).items():
         if 1 < M.shape[-3] <= k:
             raise ValueError(f"k must be below {M.shape[-3]}, the number of steps of {name}, got {k}")
+    return {name: M.shape[:-3] for name, M in stacks(model).items()}
 
 
 def check_stacks(model, T):

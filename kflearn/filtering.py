@@ -27,11 +27,12 @@ def predict(model, belief, u=None, k=0, through=linearize):
     """
     check_model(model)
     check_belief("belief", belief, model)
-    check_step(model, k)
+    axes = check_step(model, k)
     if u is not None:
         u = np.atleast_1d(check.numbers("u", u))
         check_control(model, u)
-        check.batches(belief=belief.batch, u=u.shape[:-1])
+        axes["u"] = u.shape[:-1]
+    belief = _stretch(belief, check.batches(belief=belief.batch, **axes))
     check_move(model, belief.mean, u)
     return tidy(_predict(model, belief, u, k, through))
 
@@ -44,9 +45,9 @@ def correct(model, belief, z, k=0, through=linearize):
     """
     check_model(model)
     check_belief("belief", belief, model)
-    check_step(model, k)
+    axes = check_step(model, k)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
-    check.batches(belief=belief.batch, z=z.shape[:-1])
+    belief = _stretch(belief, check.batches(belief=belief.batch, z=z.shape[:-1], **axes))
     check_measure(model, belief.mean)
     return tidy(_correct(model, belief, z, k, through)[0])
 
@@ -267,6 +268,11 @@ def _each(M, v):
     np.matmul(M, wide[: len(M)], out=out[: len(M)])
     out[len(M) :] = M[-1] @ wide[len(M) :]
     return np.moveaxis(out.reshape(*out.shape[:2], *v.shape[:-2]), (0, 1), (-2, -1))
+
+
+def _stretch(belief, batch):
+    """The same belief with a mean for every run."""
+    return trusted(np.broadcast_to(belief.mean, (*batch, belief.mean.shape[-1])), belief.cov)
 
 
 def _along(beliefs):

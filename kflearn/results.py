@@ -22,7 +22,7 @@ class Track:
     """
 
     filtered: Gaussian
-    gain: np.ndarray
+    gain: np.ndarray = field(repr=False)
     _predicted: Callable[[], Gaussian] = field(repr=False)
     _innovation: Callable[[], Gaussian] = field(repr=False)
 

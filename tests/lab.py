@@ -8,6 +8,7 @@ with server(folder) as url, browser() as chromium:
 """
 
 import base64
+import io
 import os
 import secrets
 import shutil
@@ -22,6 +23,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import nbformat
+import numpy as np
+from PIL import Image
 
 ROOT = Path(__file__).parent.parent
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -36,11 +39,6 @@ def notebook(path, *cells):
     for number, cell in enumerate(nb.cells):
         cell.id = f"cell-{number}"
     nbformat.write(nb, path)
-
-
-def code(path):
-    """The code of a notebook, to be executed in this process."""
-    return "\n".join(cell.source for cell in nbformat.read(path, 4).cells if cell.cell_type == "code")
 
 
 @contextmanager
@@ -102,20 +100,18 @@ WATCH = """() => {
   document.addEventListener('keydown', e => keys.push(performance.now()), true);
 }"""
 
-FRAMES = """index => {
-  window.frames_seen = []; window.looking = true;
-  const look = () => {
-    const img = document.querySelectorAll('.widget-image')[index];
-    const box = img ? img.getBoundingClientRect() : {};
-    frames_seen.push([img ? img.naturalWidth : 0, Math.round(box.width || 0), Math.round(box.height || 0)].join());
-    if (looking) requestAnimationFrame(look);
-  };
-  look();
-}"""
-
 BYTES = """async index => {
   const bytes = await (await fetch(document.querySelectorAll('.widget-image')[index].src)).arrayBuffer();
   return btoa(Array.from(new Uint8Array(bytes), b => String.fromCharCode(b)).join(''));
+}"""
+
+
+ASK = """async code => {
+  const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel, printed = [];
+  const future = kernel.requestExecute({code: code, store_history: false});
+  future.onIOPub = message => printed.push(message.content.text || (message.content.traceback || []).join(''));
+  await future.done;
+  return printed.join('');
 }"""
 
 
@@ -131,6 +127,7 @@ class Lab:
         self.page.evaluate("() => jupyterapp.shell.currentWidget.sessionContext.ready")
         self.page.evaluate("() => jupyterapp.commands.execute('application:toggle-left-area')")
         self.page.evaluate(WATCH)
+        self.before = 0  # pictures that had come before the last thing done
 
     def run_all(self):
         """Run all cells; fails when one of them does."""
@@ -144,17 +141,17 @@ class Lab:
         handle.scroll_into_view_if_needed()
         return handle
 
-    def press(self, slider, key, times=1):
+    def press(self, slider, key):
         """Press a key on a slider."""
-        for _ in range(times):
-            self.handle(slider).press(key)
+        self.before = self.pictures()
+        self.handle(slider).press(key)
 
     def drag(self, slider, share, swings=1, moves=60):
         """Take a slider's knob and move it over a share of its length, as a hand does: one movement each frame of the
         browser. With 3, 5, … swings it goes there, back and there again. Returns the seconds taken."""
         box, track = self.handle(slider).bounding_box(), self.page.locator(".noUi-base").nth(slider).bounding_box()
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-        mouse = self.page.mouse
+        mouse, self.before = self.page.mouse, self.pictures()
         mouse.move(x, y)
         mouse.down()
         start = time.monotonic()
@@ -164,9 +161,14 @@ class Lab:
         mouse.up()
         return took
 
-    def settle(self, quiet=0.4):
-        """Wait until no picture has come for a while."""
-        self.page.wait_for_function(f"() => performance.now() - (loads.at(-1) || 0) > {1000 * quiet}")
+    def pictures(self):
+        """How many pictures have come since the page was opened."""
+        return self.page.evaluate("loads.length")
+
+    def settle(self, quiet=0.3):
+        """Wait until a picture has come after the last thing done, and then no other for a while."""
+        self.page.wait_for_function(f"() => loads.length > {self.before}", polling=50)
+        self.page.wait_for_function(f"() => performance.now() - loads.at(-1) > {1000 * quiet}", polling=50)
 
     def picture(self, index=0):
         """The bytes of a live picture, as the browser has it now."""
@@ -179,14 +181,36 @@ class Lab:
 
     def type(self, box, text):
         """Type a number into a box."""
+        self.before = self.pictures()
         place = self.page.locator(".widget-text input").nth(box)
         place.fill(text)
         place.press("Enter")
 
+    def reset(self):
+        """Press the first playground's reset button."""
+        self.before = self.pictures()
+        self.page.get_by_role("button", name="Reset").first.click()
+
     @contextmanager
-    def watch(self, index=0):
-        """Look at a picture in every frame of the browser; yields a set that is filled with what was seen, "w,w,h"."""
-        seen = set()
-        self.page.evaluate(FRAMES, index)
-        yield seen
-        seen.update(self.page.evaluate("() => { looking = false; return frames_seen }"))
+    def film(self, index=0):
+        """Film a picture as it is painted on the screen; yields a list that is filled with arrays of grey values."""
+        place = self.page.locator(".widget-image").nth(index).bounding_box()
+        left, top, right, low = place["x"], place["y"], place["x"] + place["width"], place["y"] + place["height"]
+        frames, tape = [], self.page.context.new_cdp_session(self.page)
+
+        def keep(frame):
+            frames.append(frame["data"])
+            tape.send("Page.screencastFrameAck", {"sessionId": frame["sessionId"]})
+
+        tape.on("Page.screencastFrame", keep)
+        tape.send("Page.startScreencast", {"format": "jpeg", "quality": 50})
+        yield frames
+        tape.send("Page.stopScreencast")
+        tape.detach()
+        for i, data in enumerate(frames):
+            screen = Image.open(io.BytesIO(base64.b64decode(data))).convert("L")
+            frames[i] = np.asarray(screen.crop((left, top, min(right, screen.width), min(low, screen.height))))
+
+    def ask(self, code):
+        """Run code in the notebook's kernel, beside its cells; returns what it prints."""
+        return self.page.evaluate(ASK, code)

@@ -114,7 +114,7 @@ def motion(dt, mass):
     hints=[
         "A row for each sensor, a column for each state: what does the sensor show for one metre, and what for one metre per second?",
         "No tape asks for the velocity, so the second column begins with two zeros. A metre is 100 cm; a metre per second is 3,600 m in an hour.",
-        "`[[1, 0], [100, 0], [0, 3.6]]`",
+        "Row by row: `[[1, 0], [100, 0], [0, 3.6]]`",
     ],
     wrong={
         "as published": (

@@ -1,0 +1,101 @@
+"""A lesson in JupyterLab, in a real browser: run it, move its sliders, see the picture follow."""
+
+import json
+import math
+import shutil
+from hashlib import sha256
+
+import pytest
+from lab import CHROMIUM, ROOT, Lab, browser, notebook, server
+
+LESSON = ROOT / "notebooks" / "05-voltmeter.ipynb"  # its first playground has sliders Q and R
+
+CELLS = [
+    """
+import numpy as np
+from kflearn import plots
+from kflearn.playground import Playground, log_slider
+t = np.arange(200)
+z = np.random.default_rng(0).normal(12, 1, 200)
+def run(Q, R):
+    mean, P, track = z[0], R, []
+    for value in z:
+        P += Q
+        K = P / (P + R)
+        mean, P = mean + K * (value - mean), (1 - K) * P
+        track.append((mean, P**0.5, K))
+    return np.transpose(track)
+""",
+    """
+def draw(fig):
+    above, below = fig.subplots(2, 1, sharex=True, height_ratios=(2, 1))
+    plots.measurements(above, t, z)
+    above.set(ylim=(8, 16), ylabel="voltage / V")
+    below.set(ylim=(0, 1.05), xlabel="time / s", ylabel="gain")
+    return plots.estimate(above, t, z, z), plots.gain(below, t, z)
+def update(live, Q, R):
+    mean, std, K = run(Q, R)
+    live[0].set(t, mean, std)
+    live[1].set(t, K)
+    return f"steady gain {K[-1]:.2f}"
+""",
+    'Playground(draw, update, Q=log_slider(1e-3, 1e3, 0.04, unit="V²"), R=log_slider(1e-3, 1e3, 1, unit="V²"))',
+]
+
+KERNEL = """
+import hashlib, json
+from kflearn.playground import Playground
+live = [value for value in globals().values() if isinstance(value, Playground)][0]
+shown = hashlib.sha256(live.png()).hexdigest()
+live.refresh()
+print(json.dumps([list(live.values.values()), shown, hashlib.sha256(live.png()).hexdigest(), live.errors]))
+"""
+
+
+def same_everywhere(lab):
+    """Kernel and browser agree on the numbers, and the picture in the browser is the one of these numbers."""
+    lab.settle()
+    values, shown, fresh, errors = json.loads(lab.ask(KERNEL))
+    picture = lab.picture()
+    assert lab.numbers()[: len(values)] == values
+    assert sha256(picture).hexdigest() == shown == fresh
+    assert errors == 0
+    return values, picture
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(not CHROMIUM, reason="no chromium, chromium-browser or google-chrome on the PATH")
+def test_playground_in_jupyterlab(tmp_path):
+    if LESSON.exists():
+        shutil.copy(LESSON, tmp_path / "lesson.ipynb")
+    else:
+        notebook(tmp_path / "lesson.ipynb", *CELLS)
+    with server(tmp_path) as url, browser() as chromium:
+        lab = Lab(chromium, url, "lesson.ipynb")
+        lab.run_all()
+        lab.handle(0)
+        start, first = same_everywhere(lab)
+
+        lab.press(0, "ArrowRight")  # the keyboard
+        values, second = same_everywhere(lab)
+        assert values[0] > start[0]
+        assert second != first
+
+        with lab.film() as frames:  # the mouse
+            lab.drag(1, 0.3)
+        values, third = same_everywhere(lab)
+        assert values[1] > 10 * start[1]
+        assert third != second
+        assert lab.pictures() - lab.before >= 5
+        inked = [(frame < 128).mean() for frame in frames]
+        assert len(inked) >= 5
+        assert min(inked) > 0.5 * max(inked) > 0, "the picture was blank for a moment"
+        position = float(lab.handle(1).get_attribute("aria-valuetext"))
+        assert math.isclose(10**position, values[1], rel_tol=0.005)
+
+        lab.type(0, "1.23456")  # the exact number
+        values, _ = same_everywhere(lab)
+        assert values[0] == 1.23456
+
+        lab.reset()
+        assert same_everywhere(lab) == (start, first)
