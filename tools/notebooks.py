@@ -31,6 +31,7 @@ def execute(notebook, folder=FOLDER):
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
         store_widget_state=False,
+        coalesce_streams=True,
     ).execute()
     return notebook
 

@@ -1,5 +1,7 @@
 """Lesson 2: from Newton to the state space."""
 
+import itertools
+
 import numpy as np
 
 from kflearn.exercises.engine import exercise
@@ -75,7 +77,7 @@ def column(upper, lower):
         ),
         "1 for dt": (
             lambda dt, mass: (moving(1.0), column(dt**2 / 2, dt) / mass),
-            "B is right. In F you wrote 1 where dt belongs: the way is velocity times time.",
+            "B is right. In F you wrote 1 where dt belongs: the distance is velocity times time.",
         ),
         "identity": (
             lambda dt, mass: (np.eye(2), column(dt**2 / 2, dt) / mass),
@@ -157,6 +159,22 @@ def motion(dt, mass):
             [[1, 0], [100, 0], [3.6, 0]],
             "The tapes are right. The speedometer's 3.6 stands in the column of the position.",
         ),
+        "transposed": (
+            [[1, 100, 0], [0, 0, 3.6]],
+            "The numbers are right, but H is transposed: a row for each sensor, a column for each state, shape (3, 2).",
+        ),
+        "one number a sensor": (
+            [1, 100, 3.6],
+            "The numbers are right. Now say which state each belongs to: a row for each sensor, a column for each state, shape (3, 2).",
+        ),
+        "both tapes see the velocity": (
+            [[1, 1], [100, 1], [0, 3.6]],
+            "The speedometer is right. Both tapes see the velocity: their second entries should be 0.",
+        ),
+        "the second tape sees the velocity": (
+            [[1, 0], [100, 1], [0, 3.6]],
+            "The second tape sees the velocity: its second entry should be 0.",
+        ),
         "columns exchanged": (
             [[0, 1], [0, 100], [3.6, 0]],
             "The columns have changed places: the state is [position, velocity], in this order.",
@@ -180,54 +198,35 @@ def three_sensors():
     return np.array([[1, 0], [100, 0], [0, 3.6]])
 
 
+POSSIBLE = {
+    "B": "B is possible: Q₁₂ is the mean of a position's error times a velocity's error, m · m/s = m²/s.",
+    "D": "D is possible: K₂ gives m/s for each metre of the tape, (m/s)/m = 1/s.",
+}
+IMPOSSIBLE = {"A": "Which two units does A add?", "C": "In which unit is a variance?", "E": "What is (m/s²)·s?"}
+
+
+def wrong_choices():
+    """Every set of letters but the right one, with what to say about it: first what is too much, then what is missing."""
+    letters = "ABCDE"
+    for picked in (set(c) for size in range(1, 6) for c in itertools.combinations(letters, size)):
+        too_many = [POSSIBLE[letter] for letter in letters if letter in picked and letter in POSSIBLE]
+        missing = [IMPOSSIBLE[letter] for letter in letters if letter in IMPOSSIBLE and letter not in picked]
+        if too_many:
+            yield picked, " ".join(too_many)
+        elif missing:
+            yield picked, f"Right so far, and {len(missing)} more. {missing[0]}"
+
+
 @exercise(
     hints=[
         "Write the unit beside every letter. A sum needs equal units, a variance the square of a unit, a gain the unit of what it corrects over the unit of what is read.",
-        "a·dt/2 is (m/s²)·s. Is that a way? s + v is m + m/s. R is the mean of a squared error of the tape.",
-        "Three of the five are impossible: one sum, one variance, one way.",
+        "a·dt/2 is (m/s²)·s. Is that a distance? s + v is m + m/s. R is the mean of a squared error of the tape.",
+        "Three of the five are impossible: one sum, one variance, one distance.",
     ],
-    wrong={
-        "only A": (
-            {"A"},
-            "A is one of them: metres and metres per second cannot be added. Now look at the variance and at the way.",
-        ),
-        "only C": ({"C"}, "C is one of them: a variance is in m². Now look for a sum and for a way."),
-        "only E": ({"E"}, "E is one of them: a·dt/2 is a velocity. Now look for a sum and for a variance."),
-        "E missed": (
-            {"A", "C"},
-            "Both are impossible, and one more is: (m/s²)·s is a velocity, and E takes it for a way.",
-        ),
-        "C missed": (
-            {"A", "E"},
-            "Both are impossible, and one more is: R is a variance. Which unit has the square of a metre?",
-        ),
-        "A missed": ({"C", "E"}, "Both are impossible, and one more is: which two units does A add?"),
-        "B": ({"B"}, "B is possible: Q₁₂ is the mean of a position's error times a velocity's error, m · m/s = m²/s."),
-        "D": ({"D"}, "D is possible: K₂ gives m/s for each metre, (m/s)/m = 1/s."),
-        "B too": (
-            {"A", "B", "C", "E"},
-            "One too many: Q₁₂ is a mean of metres times metres per second, and that is m²/s. B is possible.",
-        ),
-        "D too": (
-            {"A", "C", "D", "E"},
-            "One too many: K₂ gives m/s for each metre of the tape, and that is 1/s. D is possible.",
-        ),
-        "D for E": (
-            {"A", "C", "D"},
-            "A and C are right. D is possible, (m/s)/m = 1/s. But what is (m/s²)·s?",
-        ),
-        "B for C": (
-            {"A", "B", "E"},
-            "A and E are right. B is possible, m · m/s = m²/s. But what is the unit of a variance?",
-        ),
-        "all": (
-            {"A", "B", "C", "D", "E"},
-            "Two of them are sound: a covariance of position and velocity is in m²/s, and a gain from metres to m/s in 1/s.",
-        ),
-    },
+    wrong={", ".join(sorted(picked)): (picked, sentence) for picked, sentence in wrong_choices()},
 )
 def impossible():
-    """Which cannot be right: A reads s + v, B Q₁₂ = 0.5 m²/s, C R = 0.5 m, D K₂ = 0.4 per second, E the way a·dt/2?"""
+    """Which cannot be right: A reads s + v, B Q₁₂ = 0.5 m²/s, C R = 0.5 m, D K₂ = 0.4 per second, E the distance a·dt/2?"""
     return {"A", "C", "E"}
 
 
@@ -323,7 +322,7 @@ def spread(upper, lower, sigma):
         ),
         "one half forgotten": (
             lambda T, sigma: spread(T**2, T, sigma),
-            "The factors T are there, but the way is a·T²/2: the ½ has got lost.",
+            "The factors T are there, but the distance is a·T²/2: the ½ has got lost.",
         ),
         "σ for σ²": (
             lambda T, sigma: spread(T**2 / 2, T, sigma) / sigma,
