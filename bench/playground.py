@@ -66,41 +66,46 @@ interact(picture, Q=FloatLogSlider(0.04, min=-3, max=3, step=0.05), R=FloatLogSl
 """
 
 
-def measure(chromium, url, name, keys=25):
-    """Milliseconds from a key to its picture (median), pictures a second while dragging."""
-    lab = Lab(chromium, url, name)
-    lab.run_all()
-    lab.settle()
-    times = []
+def measure(lab, keys=8):
+    """Milliseconds from a key to its picture (one each for some keys), pictures a second while dragging."""
+    lab.page.bring_to_front()
+    waits = []
     for i in range(keys):
-        lab.press(0, "ArrowRight" if i % 8 < 4 else "ArrowLeft")
+        lab.press(0, "ArrowRight" if i < keys // 2 else "ArrowLeft")
         lab.settle(0.15)
-        times.append(lab.page.evaluate(f"loads[{lab.before}] - keys.at(-1)"))
-    took = lab.drag(1, -0.35, swings=3)
-    count = lab.pictures() - lab.before
-    lab.page.close()
-    return statistics.median(times), count / took
+        waits.append(lab.page.evaluate(f"loads[{lab.before}] - keys.at(-1)"))
+    took = lab.drag(1, -0.35, swings=2)
+    rate = (lab.pictures() - lab.before) / took
+    lab.settle()
+    return waits, rate
 
 
-def main():
+def main(rounds=3):
     if not CHROMIUM:
         sys.exit("no Chromium found: install chromium, chromium-browser or google-chrome")
     with tempfile.TemporaryDirectory() as folder, browser() as chromium:
         notebook(Path(folder, "ours.ipynb"), FILTER, OURS)
-        notebook(Path(folder, "interact.ipynb"), FILTER, INTERACT)
-        with server(folder) as url:
-            ours = measure(chromium, url, "ours.ipynb")
-            plain = measure(chromium, url, "interact.ipynb")
-        with server(folder, config=None) as url:
-            nagle = measure(chromium, url, "ours.ipynb")
+        notebook(Path(folder, "plain.ipynb"), FILTER, INTERACT)
+        with server(folder) as url, server(folder, config=None) as slow:
+            labs = {
+                "interact with pyplot": Lab(chromium, url, "plain.ipynb"),
+                "playground": Lab(chromium, url, "ours.ipynb"),
+                "playground, without jupyter_server_config.py": Lab(chromium, slow, "ours.ipynb"),
+            }
+            for lab in labs.values():
+                lab.page.bring_to_front()
+                lab.run_all()
+                lab.settle()
+            results = [{label: measure(lab) for label, lab in labs.items()} for _ in range(rounds)]  # in turns
     print(f"{'':44}{'key → picture':>14}{'pictures/s':>12}")
-    for label, (wait, rate) in {
-        "interact with pyplot": plain,
-        "playground": ours,
-        "playground, without jupyter_server_config.py": nagle,
-    }.items():
-        print(f"{label:44}{wait:11.0f} ms{rate:12.1f}")
-    print(f"{'interact : playground, goals ≥ 3 and ≥ 4':44}{plain[0] / ours[0]:12.1f} ×{ours[1] / plain[1]:10.1f} ×")
+    waits, rates = {}, {}
+    for label in labs:
+        waits[label] = statistics.median(wait for result in results for wait in result[label][0])
+        rates[label] = statistics.median(result[label][1] for result in results)
+        print(f"{label:44}{waits[label]:11.0f} ms{rates[label]:12.1f}")
+    plain, ours = list(labs)[:2]
+    ratios = f"{waits[plain] / waits[ours]:12.1f} ×{rates[ours] / rates[plain]:10.1f} ×"
+    print(f"{'ratio; goals ≥ 3 × and ≥ 4 × (≥ 15 pictures)':44}{ratios}")
 
 
 if __name__ == "__main__":

@@ -138,12 +138,12 @@ class Choice(Control):
         raise ValueError(f"a choice of {', '.join(map(str, self.options))} cannot be {value!r}")
 
     def build(self):
-        self.widget = ipw.ToggleButtons(options=self.options, value=self.value, description=self.label)
-        self.widget.style = {"description_width": "initial", "button_width": "auto"}
-        self.widget.observe(lambda change: self.take(change["new"]), "value")
+        self.buttons = ipw.ToggleButtons(options=self.options, value=self.value, style={"button_width": "auto"})
+        self.widget = ipw.HBox([ipw.Label(self.label), self.buttons], layout=ipw.Layout(overflow="visible"))
+        self.buttons.observe(lambda change: self.take(change["new"]), "value")
 
     def put(self, value):
-        self.value = self.widget.value = value
+        self.value = self.buttons.value = value
 
     def show(self):
         pass
@@ -160,8 +160,9 @@ class Toggle(Choice):
         super().__init__([False, True], value, label)
 
     def build(self):
-        self.widget = ipw.Checkbox(self.value, description=self.label, indent=False, layout=ipw.Layout(width="auto"))
-        self.widget.observe(lambda change: self.take(change["new"]), "value")
+        layout = ipw.Layout(width="auto")
+        self.widget = self.buttons = ipw.Checkbox(self.value, description=self.label, indent=False, layout=layout)
+        self.buttons.observe(lambda change: self.take(change["new"]), "value")
 
     def describe(self):
         return f"{self.name}: on or off"

@@ -24,7 +24,8 @@ def loop(kf, z, predict, update):
         update(k, None if gap else z[k])
         row |= dict(mean=kf.x.copy(), cov=kf.P.copy())
         if gap:
-            row |= dict(gain=np.zeros_like(kf.K), S=np.full_like(kf.S, np.nan), y=z[k], log=0.0, nis=np.nan)
+            n, m = len(kf.x), len(z[k])
+            row |= dict(gain=np.zeros((n, m)), S=np.full((m, m), np.nan), y=z[k], log=0.0, nis=np.nan)
         else:
             row |= dict(gain=kf.K.copy(), S=kf.S.copy(), y=kf.y.copy(), log=kf.log_likelihood, nis=kf.mahalanobis**2)
         rows.append(row)
@@ -80,12 +81,12 @@ def test_extended_kalman_filter(seed):
     model = bent(linear)
     kf = TheirEKF(model.n, model.m, linear.p)
     kf.model, kf.x, kf.P, kf.Q, kf.R = model, start.mean.copy(), start.cov.copy(), model.Q, model.R
-
-    def update(k, row):
-        if row is not None:  # their update(None) of the EKF looks at z all the same
-            kf.update(row, HJacobian=model.H_jacobian, Hx=model.h)
-
-    theirs = loop(kf, z, lambda k: kf.predict(None if u is None else u[k]), update)
+    theirs = loop(
+        kf,
+        z,
+        lambda k: kf.predict(None if u is None else u[k]),
+        lambda k, row: kf.update(row, HJacobian=model.H_jacobian, Hx=model.h),
+    )
     compare(extended_kalman_filter(model, z, start, u), theirs)
 
 

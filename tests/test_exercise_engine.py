@@ -190,7 +190,7 @@ def test_right(each, answer):
 def test_right_says_the_answer_with_its_unit():
     assert fused_position.check(61.7).text == "✓ Right. The answer is 61.67 m."
     assert bug_hunt.check([4, 7]).text == "✓ Right. The fault is in line 4, 7."
-    assert larger_R.check("B").text == "✓ Right. The answer is b."
+    assert larger_R.check("B").text == "✓ Right. The answer is B."
     assert correct.check(correct._solve).text == "✓ Right. Your function agrees with the solution on 20 random inputs."
 
 
@@ -278,13 +278,13 @@ SAID = [
     (fused_belief, [1, 2, 3], "Your answer should hold 2 values (the mean, the covariance), not 3."),
     (fused_belief, 7, "Your answer should hold 2 values (the mean, the covariance), not one of type int."),
     (fused_belief, Hostile(), "Your answer cannot be read as numbers."),
-    (larger_R, "d", "✗ Not yet. Choose from a, b, c."),
-    (larger_R, ["a", "b"], "✗ Not yet. It is not a."),
-    (larger_R, 3.5, "Choose from a, b, c."),
-    (larger_R, np.nan, "Choose from a, b, c."),
-    (larger_R, {}, "Choose from a, b, c."),
-    (larger_R, np.zeros(1000), "Choose from a, b, c."),
-    (larger_R, range(10**9), "Choose from a, b, c."),
+    (larger_R, "d", "✗ Not yet. Choose from A, B, C."),
+    (larger_R, ["a", "b"], "✗ Not yet. It is not A."),
+    (larger_R, 3.5, "Choose from A, B, C."),
+    (larger_R, np.nan, "Choose from A, B, C."),
+    (larger_R, {}, "Choose from A, B, C."),
+    (larger_R, np.zeros(1000), "Choose from A, B, C."),
+    (larger_R, range(10**9), "Choose from A, B, C."),
     (larger_R, Hostile(), "✗ Not yet. Your answer cannot be read as a choice."),
     (larger_R, loop_list(), "✗ Not yet."),
     (bug_hunt, 99, "✗ Not yet. The fault is not in line 99."),

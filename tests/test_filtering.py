@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers import as_nonlinear, bent, close, random_belief, random_model, same_track, with_gaps
+from helpers import as_nonlinear, bent, close, random_belief, random_model, same_track, textbook, with_gaps
 
 from kflearn import (
     Gaussian,
@@ -150,6 +150,45 @@ def test_stacks_of_one_serve_all_steps(kf):
     z = z if kf is kalman_filter else z[:9]
     stacked = LinearModel(model.F[None], model.H[None], model.Q[None], model.R[None])
     same_track(kf(stacked, z, start), kf(model, z, start))
+
+
+@pytest.mark.parametrize("late", ["gap", "F", "H", "Q", "R", "B"])
+def test_what_changes_late_is_not_overlooked(late):
+    # By step 150 the gain has long come to rest; then a row is missing, or a matrix is another one.
+    rng = np.random.default_rng(8)
+    model, start = random_model(rng, 2, 2, 1, fastest=0.9), random_belief(rng, 2)
+    z, u = rng.normal(size=(200, 2)), rng.normal(size=(200, 1))
+    before = kalman_filter(model, z, start, u)
+    assert (before.gain[100] == before.gain[-1]).all()
+    if late == "gap":
+        z[150] = np.nan
+    else:
+        matrix = getattr(model, late) * np.where(np.arange(200) < 150, 1, 0.5)[:, None, None]
+        model = model.replace(**{late: matrix})
+    track = kalman_filter(model, z, start, u)
+    close(track.mean[:150], before.mean[:150])
+    assert abs(track.mean[150] - before.mean[150]).max() > 1e-3
+    mean, cov, _, _, log_likelihood = textbook(model, z, start, u)
+    close(track.mean, mean)
+    close(track.cov, cov)
+    close(track.log_likelihood, log_likelihood)
+
+
+def test_a_slow_gain_is_held_only_when_it_has_come_to_rest():
+    # K = 0.001 in the end: it takes ten thousand steps to get there. A hold at the first small change would come early.
+    Q, R, T = 1e-6, 1.0, 16_000
+    P, x, gains, means = 0.01, 0.0, [], []
+    z = np.random.default_rng(9).normal(size=T)
+    for k in range(T):
+        P = P + Q
+        K = P / (P + R)
+        x, P = x + K * (z[k] - x), (1 - K) * P
+        gains.append(K)
+        means.append(x)
+    track = kalman_filter(random_walk(Q, R), z, Gaussian(0, 0.01))
+    assert track.gain[-1] == track.gain[-2]  # held
+    np.testing.assert_allclose(track.gain[:, 0, 0], gains, rtol=1e-10)
+    close(track.mean[:, 0], means, 1e-10)
 
 
 def test_the_same_gaps_in_all_runs_share_one_gain_sequence():

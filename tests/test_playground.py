@@ -148,7 +148,7 @@ def test_choice_and_toggle():
 
     lively = make(steps, step=choice(["predict", "measure", "correct"]), band=toggle(True, label="show the band"))
     assert lively.status == "predict True"
-    lively.controls["step"].widget.value = "correct"
+    lively.controls["step"].buttons.value = "correct"
     lively.controls["band"].widget.value = False
     assert lively.status == "correct False"
     lively.reset()
@@ -227,7 +227,7 @@ def test_a_long_drag_is_not_debounced():
         return took, lively.values["Q"]
 
     took, last = asyncio.run(drag())
-    assert len(calls) >= took / 0.120
+    assert len(calls) >= max(3, took / 0.250)
     assert calls[-1]["Q"] == last == 79.4
 
 

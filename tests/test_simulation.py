@@ -48,6 +48,10 @@ def test_matrices_of_each_step():
     data = simulate(model, [2], 3, rng=0)
     np.testing.assert_allclose(data.x[:, 0], [2, 4, 12])
     np.testing.assert_allclose(data.z[:, 0], [2, 4, 60])
+    sizes = np.array([1.0, 0, 9]).reshape(3, 1, 1)
+    noisy = simulate(LinearModel(0, 1, sizes, sizes + 1), [0], 3, runs=20_000, rng=0)
+    np.testing.assert_allclose(noisy.x[..., 0].std(axis=0), [1, 0, 3], rtol=0.03)
+    np.testing.assert_allclose((noisy.z - noisy.x)[..., 0].std(axis=0), np.sqrt([2, 1, 10]), rtol=0.03)
 
 
 def test_start_and_noises_have_their_covariances():

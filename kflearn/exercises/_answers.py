@@ -105,11 +105,11 @@ def _relatives(right):
 
 
 def chosen(answer):
-    """A choice as a set of plain words: "B)" is {"b"}, 3 is {"3"}, [3, 7] is {"3", "7"}, True is {"true"}."""
+    """A choice as a set of plain words: "B)" is {"b"}, "A, C" is {"a", "c"}, 3 is {"3"}, True is {"true"}."""
     if isinstance(answer, (np.ndarray, np.generic)) and answer.size <= 100:
         answer = answer.tolist()
     if isinstance(answer, str):
-        return frozenset({answer.strip(" .()").casefold()})
+        return frozenset(part.strip(" .()").casefold() for part in re.split("[,;+&]", answer))
     if isinstance(answer, bool):
         return frozenset({str(answer).casefold()})
     if isinstance(answer, (list, tuple, set, frozenset, range)) and len(answer) <= 100:
@@ -213,8 +213,9 @@ def _count(number, noun):
 
 
 def listed(choices):
-    """Choices in order, on a short line."""
-    line = ", ".join(sorted(choices, key=lambda choice: (len(choice), choice)))
+    """Choices in order, on a short line; letters as capitals."""
+    names = (choice.upper() if len(choice) == 1 else choice for choice in choices)
+    line = ", ".join(sorted(names, key=lambda name: (len(name), name)))
     return textwrap.shorten(line, 160, placeholder="…")
 
 

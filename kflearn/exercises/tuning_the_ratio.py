@@ -180,9 +180,9 @@ def three_sigma(at_rest):
 
 
 def drifting_recordings(rng):
-    """Readings of a source that drifts slowly, by a few σ in 400 readings."""
+    """Readings of a source that drifts by a few σ, up and down, in 400 readings."""
     sigma = rng.uniform(0.2, 2)
-    drift = rng.choice([-1, 1]) * rng.uniform(3, 9) * sigma * np.linspace(0, 1, 400)
+    drift = rng.uniform(1.5, 4) * sigma * np.sin(np.linspace(0, 2 * np.pi, 400) + rng.uniform(0, 2 * np.pi))
     return (rng.uniform(5, 20) + drift + sigma * rng.standard_normal(400),)
 
 
@@ -190,7 +190,7 @@ def drifting_recordings(rng):
     hints=[
         "Between two neighbours the drift is tiny, so their difference is nearly all noise. Whose noise?",
         "z₂ − z₁ holds two independent noises: its variance is 2R. `np.diff` gives all differences of neighbours.",
-        "return np.mean(np.diff(readings) ** 2) / 2",
+        "`return np.mean(np.diff(readings) ** 2) / 2`",
     ],
     inputs=drifting_recordings,
     rtol=1e-2,
@@ -218,6 +218,12 @@ def drifting_recordings(rng):
         "mean of the differences": (
             lambda readings: np.mean(np.diff(readings)),
             "That is the drift for each reading: the noises cancel. Square the differences before you take their mean.",
+        ),
+        "straight line removed": (
+            lambda readings: np.var(
+                readings - np.polyval(np.polyfit(range(len(readings)), readings, 1), range(len(readings)))
+            ),
+            "You removed a straight line, but this drift is not straight. Differences of neighbours need no shape for it.",
         ),
         "second half only": (
             lambda readings: np.var(readings[len(readings) // 2 :]),
