@@ -11,7 +11,14 @@ import numpy as np
 
 from .angles import angle_difference
 
-_GAPS = np.random.default_rng(360).permutation(np.repeat([1, 2, 3, 4], [42, 41, 36, 32]))
+# The steps from one to the next, in random order; written out, as a generator made here would slow the import down.
+_GAPS = np.array(
+    list(
+        "4243212144334411141111314233112122222442133132423122412332223112411113324243"
+        "113443222242233144411211113233243121132334243333312213414412344213121322444"
+    ),
+    dtype=int,
+)
 GRID = np.cumsum(_GAPS) % 360  # the 151 directions that occur, whole degrees
 
 

@@ -64,6 +64,7 @@ def same_everywhere(lab):
 
 
 @pytest.mark.browser
+@pytest.mark.timeout(240)  # half a minute on an idle machine
 @pytest.mark.skipif(not CHROMIUM, reason="no chromium, chromium-browser or google-chrome on the PATH")
 def test_playground_in_jupyterlab(tmp_path):
     if LESSON.exists():

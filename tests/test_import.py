@@ -1,6 +1,5 @@
 """`import kflearn` is headless and fast."""
 
-import re
 import subprocess
 import sys
 
@@ -18,12 +17,7 @@ def test_nothing_heavy_is_loaded():
     assert [name for name in HEAVY if name in loaded] == []
 
 
-def test_own_import_time_is_small():
-    # The sum of what kflearn's own files take, without what they import; the best of three, on a busy machine too.
-    def own():
-        report = fresh("-X", "importtime", code="import kflearn").stderr
-        times = re.findall(r"import time:\s+(\d+) \|\s+\d+ \|\s+(kflearn\S*)\n", report)
-        assert len(times) > 8
-        return sum(int(microseconds) for microseconds, _ in times)
-
-    assert min(own() for _ in range(3)) < 50_000
+def test_it_takes_hardly_longer_than_numpy():
+    # Processor time after NumPy is there, so that a busy machine does not count; the best of five.
+    code = "import numpy, time; start = time.process_time(); import kflearn; print(time.process_time() - start)"
+    assert min(float(fresh(code=code).stdout) for _ in range(5)) < 0.05

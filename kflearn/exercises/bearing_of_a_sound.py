@@ -7,14 +7,20 @@ import numpy as np
 from kflearn.exercises.engine import exercise
 
 
-def mended_prediction(P, F, Q):
-    """What the published two-state filter's prediction should have been, for the table of the bug hunt."""
-    return F @ P @ F.T + Q
+def mended_prediction(P, dt, q):
+    """What the published two-state filter does to P in a prediction, mended."""
+    F = np.array([[1, dt], [0, 1]])
+    return F @ P @ F.T + q * np.eye(2)
 
 
 def mended_update(P, K):
-    """What its update should have been, for H = [1, 0]."""
+    """What it does to P in a correction, mended; H = [1, 0]."""
     return P - np.outer(K, P[0])
+
+
+def repairs(prediction, update):
+    """The four programs of the bug hunt: as published, one half mended, the other half, both."""
+    return [(first, second) for first in (prediction, mended_prediction) for second in (update, mended_update)]
 
 
 def differences(rng):
@@ -26,13 +32,16 @@ def differences(rng):
     hints=[
         "The remainder `% 360` puts every angle between 0 and 360. You want −180 to 180: the same width, moved by half a turn.",
         "Move the difference up by half a turn, take the remainder, move back down.",
-        "return (difference + 180) % 360 - 180",
+        "In one line: `return (difference + 180) % 360 - 180`.",
     ],
     inputs=differences,
     rtol=1e-9,
     atol=1e-9,
     wrong={
-        "untouched": (lambda d: d, "That hands the difference back as it came: 8 − 339 is still −331, the long way round."),
+        "untouched": (
+            lambda d: d,
+            "That hands the difference back as it came: 8 − 339 is still −331, the long way round.",
+        ),
         "% 360": (
             lambda d: d % 360,
             "`% 360` alone gives 0 to 360: a step of 3° to the left becomes 357° to the right.",
@@ -111,7 +120,7 @@ def stuck_rates(rng):
     wrong={
         "one push": (
             lambda x1, K, dt: dt * x1,
-            "dt·x₁ is what one step adds. The correction takes a part away, and what it leaves piles up.",
+            "One step adds dt·x₁. The correction takes a part away, and what it leaves piles up.",
         ),
         "one push, corrected once": (
             lambda x1, K, dt: (1 - K) * dt * x1,
@@ -167,7 +176,7 @@ def as_published(P, Q, dt):
     hints=[
         "The error of the state moves as the state does: e becomes F e. Its covariance is the mean of (F e)(F e)ᵀ.",
         "F once on the left, once, transposed, on the right; then the jolts, Q. Build F = [[1, dt], [0, 1]] first.",
-        "return F @ P @ F.T + Q",
+        "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
     wrong={
@@ -234,7 +243,7 @@ def gains(rng):
     hints=[
         "K H is a matrix: the column K times the row [1, 0]. Write down which of its entries are zero.",
         "K H = [[K₀, 0], [K₁, 0]]. Subtract from the identity, and multiply with @, not with *.",
-        "return (np.eye(2) - np.outer(K, [1, 0])) @ P",
+        "In one line: `return (np.eye(2) - np.outer(K, [1, 0])) @ P`.",
     ],
     inputs=gains,
     wrong={
@@ -280,32 +289,3 @@ def gains(rng):
 def right_update(P, K):
     """What a correction with the gain K (two numbers) leaves of P, when the angle is measured: H = [1, 0]."""
     return (np.eye(2) - np.outer(K, [1, 0])) @ P
-
-
-@exercise(
-    hints=[
-        "While it refuses, only one thing happens to P: each step adds Q.",
-        "The gate opens when 100² is no longer larger than 9 times (P + R), with P = n·Q after n steps.",
-        "n·1 + 9 ≥ 10000 / 9 = 1111.1.",
-    ],
-    unit="readings",
-    wrong={
-        "3 sigma forgotten": (
-            9991,
-            "You wanted the variance itself to reach 100². The gate opens at three sigmas: 9(P + R) ≥ 100².",
-        ),
-        "3 for 9": (
-            3325,
-            "Innovation squared is compared with 3² = 9 variances, not with 3.",
-        ),
-        "σ for σ²": (25, "That compares 100 with 3(P + R). Squares belong with variances: 100² with 9(P + R)."),
-        "R forgotten": (1112, "Nearly: the gate looks at S = P + R, and R contributes 9 of the 1111."),
-        "rounded down": (1102, "At 1102 readings 9S is 9999: still shut. Round up."),
-        "not rounded": (lambda: 10000 / 9 - 9, "The calculation is right; readings come one at a time, so round up."),
-    },
-    rtol=1e-4,
-)
-def shut_for():
-    """Q = 1, R = 9 deg², P ≈ 0 at the moment the source jumps by 100°. After how many refused readings does the gate
-    (innovation² ≤ 9 S) open by itself?"""
-    return math.ceil(100**2 / 9 - 9)
