@@ -1,4 +1,4 @@
-"""Our filters against FilterPy's loop: same numbers, one run, one thread. Agreement is checked before anything is timed.
+"""Our filters against FilterPy's loop: same numbers, one run, one thread, agreement checked before anything is timed.
 
     python bench/filters.py          prints a table of ratios (time of FilterPy / time of kflearn)
 

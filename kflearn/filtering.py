@@ -169,7 +169,7 @@ def _gains(model, P, missing, update):
     batch = np.broadcast_shapes(P.shape[:-2], missing.shape[:-2] if gaps else (), *(M.shape[:-3] for M in series))
     constant = not gaps and all(M.shape[-3] == 1 for M in series)
     P = np.broadcast_to(P, (*batch, n, n))
-    arrays = [np.empty((*batch, T, *shape)) for shape in ((n, n), (m, m), (n, m), (n, n))]
+    steps = []
     for k in range(T):
         before = P
         F, H, R = at(model.F, k), at(model.H, k), at(model.R, k)
@@ -179,11 +179,10 @@ def _gains(model, P, missing, update):
         if gaps:
             S, cross = _without(missing[..., k, :], S, cross)
         gain, P = update(predicted, S, cross, H, R)
-        for array, value in zip(arrays, (predicted, innovation, gain, P), strict=True):
-            array[..., k, :, :] = value
+        steps.append((predicted, innovation, gain, P))
         if constant and k % 8 == 7 and _unchanged(P, before):
-            return [array[..., : k + 1, :, :] for array in arrays]
-    return arrays
+            break
+    return [np.stack(part, axis=-3) for part in zip(*steps, strict=True)]
 
 
 def _hold(array, T):

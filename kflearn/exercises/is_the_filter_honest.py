@@ -129,7 +129,7 @@ def nees(e, P):
     },
 )
 def mystery():
-    """NIS 1.77 where 2 is honest, neighbouring innovations negatively correlated: Q or R, too small or too large?"""
+    """NIS 1.85 where 2 is honest, neighbouring innovations negatively correlated: Q or R, too small or too large?"""
     return "Q too large"
 
 
