@@ -79,7 +79,9 @@ class Outcome(Message):
     """What `check` found: `.status` is "not attempted", "right", "wrong" or "raised", `.text` says it in a sentence."""
 
     def __init__(self, status, sentence):
-        self.status, sentence = status, sentence[:1].upper() + sentence[1:]
+        if re.match(r"[a-z]+[ ,]", sentence):  # a word, and not code such as `np.std`
+            sentence = sentence[0].upper() + sentence[1:]
+        self.status = status
         super().__init__(f"{LEAD[status]} {sentence}", f"**{LEAD[status]}** {sentence}")
 
 
