@@ -148,8 +148,8 @@ def main():
         theirs = np.stack([race.theirs(series) for series in some])
         difference = abs(track.mean[: race.sample] - theirs).max() / abs(theirs).max()
         assert difference < race.tolerance, f"{race.name}: FilterPy disagrees by {difference:.1e}"
-        slow = best(lambda: [race.theirs(series) for series in some], 2) * len(race.z) / len(some)  # noqa: B023
-        fast = best(lambda: race.ours(race.z), 7)  # noqa: B023
+        slow = best(lambda: [race.theirs(series) for series in some], 3) * len(race.z) / len(some)  # noqa: B023
+        fast = best(lambda: race.ours(race.z), 25)  # noqa: B023
         ratio = slow / fast
         print(f"{race.name:32}{slow * 1e3:9.0f} ms{fast * 1e3:9.2f} ms{ratio:9.0f}{race.goal:7.0f}   {difference:.0e}")
 
