@@ -22,6 +22,7 @@ from kflearn import (
     constant_velocity,
     extended_kalman_filter,
     kalman_filter,
+    rts_smoother,
     scenarios,
     simulate,
     unscented_kalman_filter,
@@ -40,12 +41,16 @@ class Race(NamedTuple):
     tolerance: float = 1e-9
 
 
+def their_kalman_filter(model, initial):
+    kf = KalmanFilter(dim_x=model.n, dim_z=model.m)
+    kf.x, kf.P = initial.mean.copy(), initial.cov.copy()
+    kf.F, kf.H, kf.Q, kf.R = model.F, model.H, model.Q, model.R
+    return kf
+
+
 def linear(name, model, initial, z, sample, goal):
     def theirs(series):
-        kf = KalmanFilter(dim_x=model.n, dim_z=model.m)
-        kf.x, kf.P = initial.mean.copy(), initial.cov.copy()
-        kf.F, kf.H, kf.Q, kf.R = model.F, model.H, model.Q, model.R
-        return loop(kf, series)
+        return loop(their_kalman_filter(model, initial), series)
 
     return Race(name, z, lambda z: kalman_filter(model, z, initial), theirs, sample, goal)
 
@@ -57,6 +62,15 @@ def loop(kf, series, **how):
         kf.update(z, **how)
         means[k] = kf.x
     return means
+
+
+def smoothed(name, model, initial, z, sample, goal):
+    def theirs(series):
+        kf = their_kalman_filter(model, initial)
+        means, covs, _, _ = kf.batch_filter(series)
+        return kf.rts_smoother(means, covs)[0]
+
+    return Race(name, z, lambda z: rts_smoother(model, kalman_filter(model, z, initial)), theirs, sample, goal)
 
 
 def range_and_bearing():
@@ -125,6 +139,7 @@ def races():
     ship_z = simulate(ship.model, ship.initial, 80, runs=1000, rng=0).z
     yield linear("voltmeter: 10,000 x 20", volt.model, volt.initial, volt.simulate(10_000, rng=0).z, 200, 1000)
     yield linear("ship GPS: 1,000 x 80", ship.model, ship.initial, ship_z, 30, 500)
+    yield smoothed("ship, smoothed: 1,000 x 80", ship.model, ship.initial, ship_z, 20, 500)
     long = simulate(cruise, start, 100_000, rng=0).z[None]
     yield linear("constant velocity: 1 x 100,000", cruise, start, long, 1, 100)
     yield range_and_bearing()

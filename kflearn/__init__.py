@@ -21,6 +21,8 @@ from .filtering import (
 from .gaussian import Gaussian
 from .models import LinearModel, NonlinearModel, cart, constant_velocity, numerical_jacobian, random_walk
 from .simulation import simulate
+from .smoothing import rts_smoother, two_filter_smoother
+from .square_root import square_root_kalman_filter
 
 __all__ = [
     "Gaussian",
@@ -43,9 +45,12 @@ __all__ = [
     "predict",
     "random_walk",
     "rmse",
+    "rts_smoother",
     "scenarios",
     "simulate",
+    "square_root_kalman_filter",
     "start_from",
+    "two_filter_smoother",
     "unscented_kalman_filter",
     "whiteness",
     "wrap",

@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import _checks as check
-from .results import squared_distance
+from .conditioning import squared_distance
 
 
 def rmse(estimate, truth, axis=None):

@@ -12,11 +12,12 @@ import numpy as np
 
 from . import _checks as check
 from .arguments import check_belief, check_control, check_measure, check_model, check_move, check_series, check_step
+from .conditioning import covariance_after, divide, without
 from .gaussian import Gaussian, symmetric, tidy, trusted
-from .models import LinearModel, apply, at, stacks
-from .moments import cubature, linearize, spread, unscented
-from .recursion import linear_recursion
-from .results import Track, divide, hide
+from .linear import covariance_step, linear_filter
+from .models import LinearModel, apply, at
+from .moments import cubature, linearize, unscented
+from .results import Track
 
 
 def predict(model, belief, u=None, k=0, through=linearize):
@@ -60,7 +61,7 @@ def kalman_filter(model, z, initial, u=None):
     u: control input (..., T, p), or (T,) when p = 1; u[k] acts on the way to z[k].
     Returns a Track. Raises ValueError or TypeError, naming the argument, before anything is computed.
     """
-    return linear_filter(model, z, initial, u, _update)
+    return linear_filter(model, z, initial, u, covariance_step)
 
 
 def extended_kalman_filter(model, z, initial, u=None):
@@ -128,78 +129,6 @@ def start_from(model, z):
     return Gaussian(np.linalg.solve(H, z[..., None])[..., 0], symmetric(np.linalg.solve(H, half.mT)))
 
 
-def linear_filter(model, z, initial, u, update):
-    """A filter whose gains do not depend on the data: first all gains, once, then the means of every run.
-
-    update(P, S, cross, H, R) → gain and corrected covariance is what sets variants apart.
-    """
-    if not isinstance(model, LinearModel):
-        raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
-    z, u, _ = check_series(model, z, initial, u)
-    missing = np.isnan(z)
-    predicted_cov, S, gain, cov = _gains(model, initial.cov, missing, update)
-    keep = np.eye(model.n) - gain @ model.H
-    drive = _each(gain, np.where(missing, 0, z) if missing.any() else z)
-    if u is not None:
-        drive = drive + _each(keep @ model.B, u)
-    mean = linear_recursion(keep @ model.F, drive, initial.mean)
-    T = z.shape[-2]
-
-    def predicted():
-        first = np.broadcast_to(initial.mean, (*mean.shape[:-2], model.n))[..., None, :]
-        moved = _each(model.F, np.concatenate([first, mean[..., :-1, :]], axis=-2))
-        return trusted(moved if u is None else moved + _each(model.B, u), _hold(symmetric(predicted_cov), T))
-
-    def innovation():
-        return trusted(z - _each(model.H, track.predicted.mean), _hold(S, T))
-
-    track = Track(trusted(mean, _hold(cov, T)), _hold(gain, T), predicted, innovation)
-    return track
-
-
-def _gains(model, P, missing, update):
-    """Covariances and gains: predicted P, S, K, corrected P, each (..., steps, ·, ·), for all T steps or, when nothing
-    changes any more after fewer, for these."""
-    T, m = missing.shape[-2:]
-    n = model.n
-    gaps = missing.any()
-    if gaps and (missing == missing.reshape(-1, T, m)[0]).all():
-        missing = missing.reshape(-1, T, m)[0]  # the same gaps in every run: one gain sequence serves all
-    series = stacks(model).values()
-    batch = np.broadcast_shapes(P.shape[:-2], missing.shape[:-2] if gaps else (), *(M.shape[:-3] for M in series))
-    constant = not gaps and all(M.shape[-3] == 1 for M in series)
-    P = np.broadcast_to(P, (*batch, n, n))
-    steps = []
-    for k in range(T):
-        before = P
-        F, H, R = at(model.F, k), at(model.H, k), at(model.R, k)
-        P = predicted = spread(F, P)[0] + at(model.Q, k)
-        moved, cross = spread(H, P)
-        innovation = S = moved + R
-        if gaps:
-            S, cross = _without(missing[..., k, :], S, cross)
-        gain, P = update(predicted, S, cross, H, R)
-        steps.append((predicted, innovation, gain, P))
-        if constant and k % 8 == 7 and _unchanged(P, before):
-            break
-    return [np.stack(part, axis=-3) for part in zip(*steps, strict=True)]
-
-
-def _hold(array, T):
-    """An array (..., steps, ·, ·) made T long by holding its last entry."""
-    rest = T - array.shape[-3]
-    last = array[..., -1:, :, :]
-    held = np.broadcast_to(last, (*last.shape[:-3], rest, *last.shape[-2:]))
-    return np.concatenate([array, held], axis=-3) if rest else array
-
-
-def _unchanged(P, before):
-    """Has a covariance come to rest? Judged against its own variances, a few roundings wide."""
-    variance = np.diagonal(P, axis1=-2, axis2=-1)
-    scale = np.sqrt(abs(variance[..., :, None] * variance[..., None, :]))
-    return (abs(P - before) <= 1e-14 * scale).all()
-
-
 def gaussian_filter(model, z, initial, u, through):
     """The loop for models whose covariances depend on the data: predict, correct, predict, correct …"""
     check_model(model)
@@ -212,7 +141,9 @@ def gaussian_filter(model, z, initial, u, through):
         belief, gain, innovation = _correct(model, predicted, z[..., k, :], k, through)
         steps.append((predicted, belief, innovation, gain))
     predicted, filtered, innovation, gains = zip(*steps, strict=True)
-    return Track(_along(filtered), np.stack(gains, -3), lambda: _along(predicted), lambda: _along(innovation))
+    return Track(
+        _along(filtered), np.stack(gains, -3), lambda: _along(predicted), lambda: _along(innovation), u, through
+    )
 
 
 def _predict(model, belief, u, k, through):
@@ -227,46 +158,11 @@ def _correct(model, predicted, z, k, through):
     cross = expected.cross
     innovation = y = model.difference(z, expected.mean)
     if missing.any():
-        S, cross = _without(missing, S, cross)
+        S, cross = without(missing, S, cross)
         y = np.where(missing, 0, innovation)
     gain = divide(cross, S)
     P = covariance_after(gain, predicted.cov, expected.slope, R + expected.rest, expected.basis)
     return trusted(predicted.mean + apply(gain, y), P), gain, trusted(innovation, full)
-
-
-def _update(P, S, cross, H, R):
-    """Gain and corrected covariance, eqs (7) and (9), the latter in a form that is right for any gain."""
-    gain = divide(cross, S)
-    return gain, covariance_after(gain, P, H, R)
-
-
-def covariance_after(gain, P, H, R, basis=None):
-    """What a correction with `gain` leaves of P: Joseph's form, (I−KH)P(I−KH)ᵀ + KRKᵀ, positive whatever K is.
-
-    For sigma points with the `basis` L, L Lᵀ = P, and H the slope along it: (L−KH)(L−KH)ᵀ + KRKᵀ.
-    """
-    keep = (np.eye(P.shape[-1]) if basis is None else basis) - gain @ H
-    left = spread(keep, P)[0] if basis is None else keep @ keep.mT
-    return symmetric(left + spread(gain, R)[0])
-
-
-def _without(missing, S, cross):
-    """S and the cross-covariance when some components (..., m) are missing: these get no gain and disturb nothing."""
-    return hide(S, missing), cross * ~missing[..., None, :]
-
-
-def _each(M, v):
-    """M_k v_k for all steps: M (..., steps, n, m) or (n, m), v (..., T, m); the last of fewer matrices holds on."""
-    if M.ndim == 2:
-        return apply(M, v)
-    if M.ndim > 3:
-        return np.matvec(_hold(M, v.shape[-2]), v)
-    # One matrix a step serves all runs: put the runs last and use matrix products.
-    wide = np.moveaxis(v, (-2, -1), (0, 1)).reshape(*v.shape[-2:], -1)
-    out = np.empty((len(wide), M.shape[-2], wide.shape[-1]))
-    np.matmul(M, wide[: len(M)], out=out[: len(M)])
-    out[len(M) :] = M[-1] @ wide[len(M) :]
-    return np.moveaxis(out.reshape(*out.shape[:2], *v.shape[:-2]), (0, 1), (-2, -1))
 
 
 def _stretch(belief, batch):

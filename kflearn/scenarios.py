@@ -93,25 +93,34 @@ def voltmeter(variant="published", Q=4.0, R=4.0, steps=20):
     return Scenario(description, random_walk(Q, R), initial, truth_model, start, steps, truth_u=u)
 
 
-def temperature():
+def temperature(variant="published"):
     """[KM] The temperature of a room, about 25 °C, once a minute with a thermometer of R = 0.25 °C².
 
-    Random walk, Q = 0.01 °C² a step, 120 readings. The truth starts at 25.1 °C; the start 24.9 °C with P = 0.01 °C² is
-    the published one, a first reading that is believed 25 times more than it deserves.
+    Random walk, Q = 0.01 °C² a step, 119 readings after the start. variant "published": the truth starts at 25.1 °C,
+    the filter at a first reading, 24.9 °C, with P = 0.01 °C², as if that reading were 25 times better than it is;
+    "honest start": P = R, and the truth is drawn from that belief.
     """
     model = random_walk(0.01, 0.25)
-    return Scenario("The temperature of a room.", model, Gaussian(24.9, 0.01), model, np.array([25.1]), steps=119)
+    first = Gaussian(24.9, 0.25)
+    starts = {"published": (Gaussian(24.9, 0.01), np.array([25.1])), "honest start": (first, first)}
+    initial, truth_start = _variant(starts, variant)
+    return Scenario("The temperature of a room.", model, initial, model, truth_start, steps=119)
 
 
-def free_fall():
-    """[KM] A body falls from 95 m: state [height (m), velocity (m/s)], gravity −1 m/s² as control input.
+def free_fall(variant="published"):
+    """[KM] A body falls from 95 m: state [height (m), velocity (m/s, upwards)], gravity as control input (m/s²).
 
-    Q = 0, R = 1 m²; 999 steps of 1 s; truth and filter start at [95, 1], the filter with P = diag(10, 1). As published
-    the fall does not stop at the ground.
+    Q = 0, R = 1 m²; the filter starts at [95, 1] with P = diag(10, 1). variant "published": gravity −1 m/s², 999 steps
+    of 1 s, the truth starts exactly where the filter believes, and the ground does not stop the fall; "physical":
+    gravity −9.8 m/s², 45 steps of 0.1 s, the last one just above the ground, and the truth is drawn from the belief at
+    the start.
     """
-    model = LinearModel(F=[[1, 1], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, B=[[0.5], [1]])
-    start, u = np.array([95.0, 1.0]), np.full((999, 1), -1.0)
-    return Scenario("A body falls.", model, Gaussian(start, np.diag([10, 1])), model, start, 999, u, u)
+    belief = Gaussian([95, 1], np.diag([10, 1]))
+    variants = {"published": (1.0, -1.0, 999, belief.mean), "physical": (0.1, -9.8, 45, belief)}
+    dt, gravity, steps, truth_start = _variant(variants, variant)
+    model = LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, B=[[dt**2 / 2], [dt]])
+    u = np.full((steps, 1), gravity)
+    return Scenario("A body falls.", model, belief, model, truth_start, steps, u, u)
 
 
 def train(start_speed_variance=1.0):

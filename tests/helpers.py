@@ -87,6 +87,33 @@ def textbook(model, z, initial, u=None):
     return *(np.stack(series) for series in zip(*steps, strict=True)), log_likelihood
 
 
+def least_squares(model, z, initial, u=None):
+    """All states of one series at once: the start, every move and every measurement are one row each of a weighted
+    least-squares problem. Returns means (T, n) and covariances (T, n, n)."""
+    T, n = len(z), model.n
+    rows, right = [], []
+
+    def add(blocks, value, cov):
+        weight = np.linalg.inv(np.linalg.cholesky(cov))
+        row = np.zeros((len(value), (T + 1) * n))
+        for k, matrix in blocks.items():
+            row[:, k * n : (k + 1) * n] = matrix
+        rows.append(weight @ row)
+        right.append(weight @ value)
+
+    add({0: np.eye(n)}, initial.mean, initial.cov)
+    for k in range(T):
+        F, H, Q, R, B = (M if M is None or M.ndim == 2 else M[k] for M in (model.F, model.H, model.Q, model.R, model.B))
+        add({k: -F, k + 1: np.eye(n)}, np.zeros(n) if u is None else B @ u[k], Q)
+        seen = ~np.isnan(z[k])
+        if seen.any():
+            add({k + 1: H[seen]}, z[k][seen], R[np.ix_(seen, seen)])
+    A = np.concatenate(rows)
+    x = np.linalg.lstsq(A, np.concatenate(right))[0].reshape(T + 1, n)
+    cov = np.linalg.inv(A.T @ A).reshape(T + 1, n, T + 1, n)
+    return x[1:], np.stack([cov[k, :, k] for k in range(1, T + 1)])
+
+
 def close(found, expected, tolerance=1e-9):
     """Equal to within `tolerance` of the largest expected number; NaN only where NaN is expected."""
     expected = np.asarray(expected)

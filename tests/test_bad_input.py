@@ -24,9 +24,12 @@ from kflearn import (
     predict,
     random_walk,
     rmse,
+    rts_smoother,
     scenarios,
     simulate,
+    square_root_kalman_filter,
     start_from,
+    two_filter_smoother,
     unscented_kalman_filter,
     whiteness,
 )
@@ -369,7 +372,23 @@ REST = [
     ("lags too many", lambda a: whiteness(a.track().innovation, 5), "lags", "smaller than the 5 steps"),
     ("lags zero", lambda a: whiteness(a.track().innovation, 0), "lags", "at least 1, got 0"),
 ]
-TABLE = MODELS + BELIEFS + FILTERS + FUNCTIONS + STEPS + REST
+SMOOTHERS = [
+    ("smooth no track", lambda a: rts_smoother(a.model(), a.start), "track", "got Gaussian"),
+    ("smooth without model", lambda a: rts_smoother(a.F, a.track()), "model", "got ndarray"),
+    (
+        "smooth with another length",
+        lambda a: rts_smoother(random_walk(1, 1), a.track()),
+        "model",
+        "2 states like the track",
+    ),
+    ("smooth with another model", lambda a: rts_smoother(a.model(Q=2 * I2), a.track()), "model", "other covariances"),
+    ("smooth with other steps", lambda a: rts_smoother(a.model(Q=stack(I2, 3)), a.track()), "Q", "5 steps, or 1"),
+    ("two filters of a function", lambda a: two_filter_smoother(a.bent(), a.z, a.start), "model", "got NonlinearModel"),
+    ("two filters of text", lambda a: two_filter_smoother(a.model(), "12", a.start), "z", "found text"),
+    ("root of a function", lambda a: square_root_kalman_filter(a.bent(), a.z, a.start), "model", "got NonlinearModel"),
+    ("root of infinity", lambda a: square_root_kalman_filter(a.model(), [1, inf], a.start), "z", "only NaN may mark"),
+]
+TABLE = MODELS + BELIEFS + FILTERS + FUNCTIONS + STEPS + REST + SMOOTHERS
 
 
 @pytest.mark.parametrize(NAMES, TABLE, ids=lambda value: value.replace(" ", "-") if isinstance(value, str) else "")

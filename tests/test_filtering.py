@@ -20,7 +20,7 @@ from kflearn import (
     start_from,
     unscented_kalman_filter,
 )
-from kflearn.filtering import covariance_after
+from kflearn.conditioning import covariance_after
 from kflearn.moments import cubature, linearize, unscented
 
 FILTERS = [kalman_filter, extended_kalman_filter, unscented_kalman_filter, cubature_kalman_filter]

@@ -28,6 +28,7 @@ from kflearn import (
     kalman_filter,
     predict,
     simulate,
+    square_root_kalman_filter,
     unscented_kalman_filter,
 )
 
@@ -36,7 +37,8 @@ settings.load_profile("course")
 
 SIGMA = [unscented_kalman_filter, cubature_kalman_filter]
 NONLINEAR = [extended_kalman_filter, *SIGMA]
-ALL = [kalman_filter, *NONLINEAR]
+LINEAR = [kalman_filter, square_root_kalman_filter]
+ALL = [*LINEAR, *NONLINEAR]
 
 seeds = st.integers(0, 2**32 - 1).map(np.random.default_rng)
 states = st.integers(1, 4)
@@ -59,7 +61,7 @@ def test_covariances_stay_symmetric_and_positive(kf, rng, n, m, spread, noise, d
     model = random_model(rng, n, m).replace(Q=random_covariance(rng, n, rank), R=10**noise * random_covariance(rng, m))
     initial = Gaussian(np.zeros(n), 10**spread * random_covariance(rng, n, rank))
     z = with_gaps(rng, rng.normal(size=(12, m)))
-    track = kf(model if kf is kalman_filter else bent(model), z, initial)
+    track = kf(model if kf in LINEAR else bent(model), z, initial)
     for belief in (track.predicted, track.filtered):
         assert np.isfinite(belief.mean).all()
         assert (abs(belief.cov - belief.cov.mT) <= 1e-13 * abs(belief.cov).max()).all()
@@ -69,7 +71,7 @@ def test_covariances_stay_symmetric_and_positive(kf, rng, n, m, spread, noise, d
     assert lowest(track.innovation.cov) > 0
 
 
-@pytest.mark.parametrize("kf", [kalman_filter, unscented_kalman_filter], ids=lambda f: f.__name__)
+@pytest.mark.parametrize("kf", [*LINEAR, unscented_kalman_filter], ids=lambda f: f.__name__)
 @given(rng=seeds, degrees=st.sampled_from([1, 30, 45, 60, 90]), size=st.floats(-3, 3), noise=st.floats(-3, 3))
 def test_what_is_known_exactly_gets_no_negative_variance(kf, rng, degrees, size, noise):
     # One direction of the state is known exactly and turns: its variance is 0, and rounding makes it ±1e-16.
@@ -185,7 +187,7 @@ def test_more_data_never_raises_the_covariance(rng, n, m):
 @given(rng=seeds, n=states, m=outputs)
 def test_a_missing_row_is_predict_only(kf, rng, n, m):
     model, initial = random_model(rng, n, m), random_belief(rng, n)
-    model = model if kf is kalman_filter else bent(model)
+    model = model if kf in LINEAR else bent(model)
     z = rng.normal(size=(6, m))
     z[3] = np.nan
     track = kf(model, z, initial)
@@ -273,7 +275,7 @@ def test_a_slowly_converging_gain_is_not_held_too_early(ratio, start, rng):
 @given(rng=seeds, n=st.integers(1, 3), m=st.integers(1, 2), gaps=st.booleans())
 def test_axes_of_q_r_and_the_start_make_a_grid(kf, rng, n, m, gaps):
     model, T = random_model(rng, n, m), 5
-    model = model if kf is kalman_filter else bent(model)
+    model = model if kf in LINEAR else bent(model)
     Q = np.stack([random_covariance(rng, n) for _ in range(3)])
     R = np.stack([random_covariance(rng, m) for _ in range(2)])
     z, initial = rng.normal(size=(4, T, m)), random_belief(rng, n)

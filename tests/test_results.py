@@ -10,7 +10,7 @@ from kflearn import (
     kalman_filter,
     unscented_kalman_filter,
 )
-from kflearn.results import divide, hide, squared_distance
+from kflearn.conditioning import divide, hide, squared_distance
 
 FILTERS = [kalman_filter, extended_kalman_filter, unscented_kalman_filter, cubature_kalman_filter]
 every_filter = pytest.mark.parametrize("kf", FILTERS, ids=lambda f: f.__name__)

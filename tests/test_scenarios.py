@@ -21,8 +21,8 @@ from kflearn import (
 SCENES = {
     "cart": [{}],
     "voltmeter": [{"variant": v} for v in ("published", "random walk", "constant")] + [{"steps": 7, "Q": 1, "R": 9}],
-    "temperature": [{}],
-    "free_fall": [{}],
+    "temperature": [{"variant": v} for v in ("published", "honest start")],
+    "free_fall": [{"variant": v} for v in ("published", "physical")],
     "train": [{}, {"start_speed_variance": 25}],
     "ship": [{"variant": v} for v in ("published", "honest start")],
     "bearing": [{"variant": v} for v in ("calm", "typical", "reflections", "switching", "crossing", "hard")],
@@ -164,6 +164,33 @@ def test_free_fall_figures():
     assert abs(pooled(data.z - data.x[..., :1]) - 0.998) < 0.005
     ignored = run_filter(scene, np.full(scene.steps, np.nan))  # the start is exact and Q = 0: predicting is perfect
     np.testing.assert_allclose(ignored.mean, data.x[0], atol=1e-6)
+
+
+def test_physical_fall_ends_at_the_ground_and_is_honest():
+    scene = scenarios.free_fall("physical")
+    data = scene.simulate(runs=4000, rng=0)
+    t = 0.1 * np.arange(1, 46)
+    np.testing.assert_allclose(data.x[..., 0].mean(axis=0), 95 + t - 4.9 * t**2, atol=0.3)
+    last, after = (95 + s - 4.9 * s**2 for s in (4.5, 4.6))
+    assert last > 0 > after
+    low, high = chi_square_interval(2, 4000, 0.999)
+    score = nees(run_filter(scene, data.z), data.x).mean(axis=0)
+    assert low < score[0] < high
+    assert low < score[-1] < high
+
+
+def test_temperature_with_an_honest_start():
+    # ERRATA 20: the published P₀ makes the first ten samples worse.
+    honest = scenarios.temperature("honest start")
+    data = honest.simulate(runs=4000, rng=0)
+    first = {}
+    for name, scene in (("published", scenarios.temperature()), ("honest", honest)):
+        track = run_filter(scene, data.z)
+        first[name] = rmse(track.mean[:, :9], data.x[:, :9])
+        score = nees(track, data.x)[:, 0].mean()
+        low, high = chi_square_interval(1, 4000, 0.999)
+        assert (low < score < high) == (name == "honest")
+    assert 1.15 < first["published"] / first["honest"] < 1.35
 
 
 @pytest.mark.parametrize(("variance", "position", "speed"), [(1, 0.528, 1.345), (25, 0.337, 0.776)])
