@@ -186,11 +186,13 @@ def test_temperature_with_an_honest_start():
     first = {}
     for name, scene in (("published", scenarios.temperature()), ("honest", honest)):
         track = run_filter(scene, data.z)
-        first[name] = rmse(track.mean[:, :9], data.x[:, :9])
+        start = scene.initial.mean - honest.truth_start.sample(4000, rng=1)  # the first of the ten, variance R
+        first[name] = np.sqrt((pooled(start) ** 2 + 9 * rmse(track.mean[:, :9], data.x[:, :9]) ** 2) / 10)
         score = nees(track, data.x)[:, 0].mean()
         low, high = chi_square_interval(1, 4000, 0.999)
         assert (low < score < high) == (name == "honest")
-    assert 1.15 < first["published"] / first["honest"] < 1.35
+    assert abs(first["published"] - 0.360) < 0.01
+    assert abs(first["honest"] - 0.288) < 0.01
 
 
 @pytest.mark.parametrize(("variance", "position", "speed"), [(1, 0.528, 1.345), (25, 0.337, 0.776)])
