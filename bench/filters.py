@@ -21,6 +21,7 @@ from kflearn import (
     NonlinearModel,
     constant_velocity,
     extended_kalman_filter,
+    homing,
     kalman_filter,
     rts_smoother,
     scenarios,
@@ -74,61 +75,35 @@ def smoothed(name, model, initial, z, sample, goal):
 
 
 def range_and_bearing():
-    """[KM] six states, distance and bearing (SYSTEMS B, UKF6)."""
-    t = 0.5
-    F = np.kron([[1, t, t**2 / 2], [0, 1, t], [0, 0, 1]], np.eye(2))
-
-    def measure(x):
-        return np.stack([np.hypot(x[..., 0], x[..., 1]), np.arctan2(x[..., 1], x[..., 0])], axis=-1)
-
-    Q, R = np.diag([1, 1, 0.01, 0.01, 1e-4, 1e-4]), np.diag([100, 1e-6])
-    model = NonlinearModel(lambda x: x @ F.T, measure, Q, R)
-    initial = Gaussian([1000, 5000, 10, 50, 2, -4], np.diag([100, 100, 1, 1, 0.1, 0.1]))
+    """[KM] six states, distance and bearing."""
+    scene = scenarios.range_and_bearing("honest start")
+    model, initial = scene.model, scene.initial
 
     def theirs(series):
         points = MerweScaledSigmaPoints(6, alpha=0.01, beta=2, kappa=0)
-        kf = UnscentedKalmanFilter(6, 2, dt=t, hx=measure, fx=lambda x, dt: F @ x, points=points)
-        kf.x, kf.P, kf.Q, kf.R = initial.mean.copy(), initial.cov.copy(), Q, R
+        kf = UnscentedKalmanFilter(6, 2, dt=1, hx=model.h, fx=lambda x, dt: model.f(x), points=points)
+        kf.x, kf.P, kf.Q, kf.R = initial.mean.copy(), initial.cov.copy(), model.Q, model.R
         return loop(kf, series)
 
     def ours(z):
         return unscented_kalman_filter(model, z, initial, alpha=0.01, beta=2, kappa=0)
 
-    z = simulate(model, initial, 50, runs=1000, rng=0).z
-    return Race("UKF, 6 states: 1,000 x 50", z, ours, theirs, 20, 70, 1e-6)
+    return Race("UKF, 6 states: 1,000 x 50", scene.simulate(1000, rng=0).z, ours, theirs, 20, 70, 1e-6)
 
 
 def missile():
-    """Nine states in space, two angles (SYSTEMS B, the homing missile without its guidance)."""
-    dt, rate = 0.01, 1.0
-    decay = np.exp(-rate * dt)
-    axis = [[1, dt, (decay + rate * dt - 1) / rate**2], [0, 1, (1 - decay) / rate], [0, 0, decay]]
-    F = np.kron(axis, np.eye(3))
-
-    def measure(r):
-        x, y, z = r[..., 0], r[..., 1], r[..., 2]
-        return np.stack([np.arctan(y / np.sqrt(x**2 + z**2)), np.arctan(-z / x)], axis=-1)
-
-    def slope(r):
-        x, y, z = r[..., 0], r[..., 1], r[..., 2]
-        ground, all_ = x**2 + z**2, x**2 + y**2 + z**2
-        level = np.sqrt(ground)
-        H = np.zeros((*r.shape[:-1], 2, 9))
-        H[..., 0, 0], H[..., 0, 1], H[..., 0, 2] = -x * y / (all_ * level), level / all_, -y * z / (all_ * level)
-        H[..., 1, 0], H[..., 1, 2] = z / ground, -x / ground
-        return H
-
-    Q, R = np.diag([0, 0, 0, 0, 0, 0, 0.1, 0.1, 0.1]), 1e-8 * np.eye(2)
-    model = NonlinearModel(lambda x: x @ F.T, measure, Q, R, F_jacobian=lambda x: F, H_jacobian=slope)
-    start = [3500, 1500, 1000, -500, -150, -50, 0, 0, 0]
-    initial = Gaussian(start, np.diag([1e4] * 6 + [1e2] * 3))
+    """The homing missile's nine states and two angles, without its guidance and with a constant R."""
+    F, Q, R = homing.F, homing.Q, 1e-8 * np.eye(2)
+    model = NonlinearModel(lambda x: x @ F.T, homing.angles, Q, R, lambda x: F, homing.angles_jacobian)
+    start = np.array([3500.0, 1500, 1000, -500, -150, -50, 0, 0, 0])
+    initial = Gaussian(start, homing.START.cov)
 
     def theirs(series):
         kf = ExtendedKalmanFilter(dim_x=9, dim_z=2)
         kf.x, kf.P, kf.F, kf.Q, kf.R = initial.mean.copy(), initial.cov.copy(), F, Q, R
-        return loop(kf, series, HJacobian=slope, Hx=measure)
+        return loop(kf, series, HJacobian=homing.angles_jacobian, Hx=homing.angles)
 
-    z = simulate(model, np.array(start, dtype=float), 367, runs=50, rng=0).z
+    z = simulate(model, start, 367, runs=50, rng=0).z
     ours = lambda z: extended_kalman_filter(model, z, initial)  # noqa: E731
     return Race("EKF, 9 states: 50 x 367", z, ours, theirs, 3, 14, 1e-6)
 

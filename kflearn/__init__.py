@@ -5,7 +5,7 @@ filters take a model, measurements (..., T, m) and an initial belief and return 
 leading axes: a thousand runs are one call.
 """
 
-from . import scenarios
+from . import homing, scenarios
 from .angles import angle_difference, circular_mean, wrap
 from .consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
 from .filtering import (
@@ -14,12 +14,22 @@ from .filtering import (
     extended_kalman_filter,
     kalman_filter,
     kalman_step,
+    linearized_kalman_filter,
     predict,
     start_from,
     unscented_kalman_filter,
 )
 from .gaussian import Gaussian
-from .models import LinearModel, NonlinearModel, cart, constant_velocity, numerical_jacobian, random_walk
+from .models import (
+    LinearModel,
+    NonlinearModel,
+    cart,
+    constant_acceleration,
+    constant_velocity,
+    numerical_jacobian,
+    random_walk,
+    singer,
+)
 from .simulation import simulate
 from .smoothing import rts_smoother, two_filter_smoother
 from .square_root import square_root_kalman_filter
@@ -32,13 +42,16 @@ __all__ = [
     "cart",
     "chi_square_interval",
     "circular_mean",
+    "constant_acceleration",
     "constant_velocity",
     "correct",
     "coverage",
     "cubature_kalman_filter",
     "extended_kalman_filter",
+    "homing",
     "kalman_filter",
     "kalman_step",
+    "linearized_kalman_filter",
     "nees",
     "nis",
     "numerical_jacobian",
@@ -48,6 +61,7 @@ __all__ = [
     "rts_smoother",
     "scenarios",
     "simulate",
+    "singer",
     "square_root_kalman_filter",
     "start_from",
     "two_filter_smoother",

@@ -8,6 +8,8 @@ Start convention, everywhere: `initial` is the belief one step BEFORE the first 
 corrects (FilterPy does the same; pykalman, statsmodels and dynamax hold it at the first measurement).
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from . import _checks as check
@@ -16,7 +18,7 @@ from .conditioning import covariance_after, divide, without
 from .gaussian import Gaussian, symmetric, tidy, trusted
 from .linear import covariance_step, linear_filter
 from .models import LinearModel, apply, at
-from .moments import cubature, linearize, unscented
+from .moments import Moments, cubature, linearize, spread, unscented
 from .results import Track
 
 
@@ -89,6 +91,43 @@ def cubature_kalman_filter(model, z, initial, u=None):
     """
     check_model(model)
     return gaussian_filter(model, z, initial, u, cubature(model.n))
+
+
+def linearized_kalman_filter(model, z, initial, u=None, nominal=None):
+    """The linearised Kalman filter: every function is replaced by its tangent along a path fixed beforehand.
+
+    nominal: states (..., T, n), the path at each measurement; without it, the path that initial.mean takes if nothing
+    disturbs it. Other arguments and result as in extended_kalman_filter, but gains and covariances do not depend on
+    the data. The first move is linearised at initial.mean. Source: Maybeck 1982, ch. 9.5.
+    """
+    check_model(model)
+    z, u, batch = check_series(model, z, initial, u)
+    n, T = model.n, z.shape[-2]
+    if nominal is None:
+        nominal = _undisturbed(model, initial.mean, u, T)
+    nominal = check.shape("nominal", check.numbers("nominal", nominal), (T, n))
+    check.batches(nominal=nominal.shape[:-2], z=batch)
+    if isinstance(model, LinearModel):
+        return kalman_filter(model, z, initial, u)
+    first = np.broadcast_to(initial.mean[..., None, :], (*nominal.shape[:-2], 1, n))
+    before = np.concatenate([first, nominal[..., :-1, :]], axis=-2)
+    F = np.broadcast_to(model.move_slope(before, u), (*before.shape, n))
+    H = np.broadcast_to(model.measure_slope(nominal), (*nominal.shape[:-1], model.m, n))
+    # f(x) ≈ F x + what F does not explain at the nominal state, which acts like a control input; h alike.
+    push = model.move(before, u) - np.matvec(F, before)
+    z = model.difference(z, model.measure(nominal)) + np.matvec(H, nominal)
+    track = kalman_filter(LinearModel(F, H, model.Q, model.R, np.eye(n)), z, initial, push)
+    later = F[..., 1:, :, :]
+    return replace(track, through=lambda now, function, slope: Moments(None, *spread(later, now.cov), later))
+
+
+def _undisturbed(model, x, u, T):
+    """The states that follow x without noise, (..., T, n)."""
+    path = []
+    for k in range(T):
+        x = model.move(x, None if u is None else u[..., k, :], k)
+        path.append(x)
+    return np.stack(path, axis=-2)
 
 
 def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None):

@@ -192,6 +192,38 @@ def constant_velocity(dt, acceleration, R):
     return LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=sigma**2 * push @ push.T, R=R)
 
 
+def constant_acceleration(dt, jerk, R):
+    """Position, velocity and acceleration on a line (m, s); the position is measured with variance R (m²).
+
+    `jerk` (m/s²) is the standard deviation of what is added to the acceleration at each step of dt seconds:
+    Q = σ² Γ Γᵀ with Γ = [dt²/2, dt, 1] (Bar-Shalom, Li and Kirubarajan 2001, eq. 6.3.3-3).
+    """
+    dt, sigma = check.number("dt", dt, positive=True), check.number("jerk", jerk)
+    push = np.array([[dt**2 / 2], [dt], [1]])
+    return LinearModel([[1, dt, dt**2 / 2], [0, 1, dt], [0, 0, 1]], [[1, 0, 0]], sigma**2 * push @ push.T, R)
+
+
+def singer(dt, rate, acceleration, R):
+    """As constant_acceleration, but the acceleration fades with `rate` (1/s) and is renewed by noise: a manoeuvre of
+    standard deviation `acceleration` (m/s²) that lasts about 1/rate seconds.
+
+    Q = 2 rate σ² ∫ g gᵀ from 0 to dt, g(t) the last column of F(t) (Singer 1970).
+    """
+    F = singer_matrix(dt, rate)
+    # Gauss–Legendre quadrature: the closed form subtracts nearly equal numbers when rate·dt is small.
+    nodes, weights = np.polynomial.legendre.leggauss(64)
+    g = np.stack([singer_matrix(dt * (1 + node) / 2, rate)[:, 2] for node in nodes], axis=-1)
+    Q = 2 * rate * check.number("acceleration", acceleration) ** 2 * (dt / 2 * weights * g) @ g.T
+    return LinearModel(F, [[1, 0, 0]], (Q + Q.T) / 2, R)
+
+
+def singer_matrix(dt, rate):
+    """F (3, 3) of position, velocity and an acceleration that fades with `rate` (1/s) over dt seconds."""
+    dt, rate = check.number("dt", dt, positive=True), check.number("rate", rate, positive=True)
+    fading = -np.expm1(-rate * dt)
+    return np.array([[1, dt, (rate * dt - fading) / rate**2], [0, 1, fading / rate], [0, 0, np.exp(-rate * dt)]])
+
+
 def cart(dt, mass, Q, R):
     """Newton's cart: state [position (m), velocity (m/s)], control input the force (N), eqs (1)–(4).
 

@@ -12,13 +12,16 @@ from kflearn import (
     NonlinearModel,
     cart,
     chi_square_interval,
+    constant_acceleration,
     constant_velocity,
     correct,
     coverage,
     cubature_kalman_filter,
     extended_kalman_filter,
+    homing,
     kalman_filter,
     kalman_step,
+    linearized_kalman_filter,
     nees,
     nis,
     predict,
@@ -27,6 +30,7 @@ from kflearn import (
     rts_smoother,
     scenarios,
     simulate,
+    singer,
     square_root_kalman_filter,
     start_from,
     two_filter_smoother,
@@ -76,6 +80,10 @@ def kf(a, model=None, z=None, initial=None, u=None):
 
 def ekf(a, u=None, **functions):
     return extended_kalman_filter(a.bent(**functions), a.z, a.start, u)
+
+
+def lkf(a, nominal, z=None):
+    return linearized_kalman_filter(a.bent(), a.z if z is None else z, a.start, nominal=nominal)
 
 
 def ukf(a, model=None, **settings):
@@ -388,7 +396,23 @@ SMOOTHERS = [
     ("root of a function", lambda a: square_root_kalman_filter(a.bent(), a.z, a.start), "model", "got NonlinearModel"),
     ("root of infinity", lambda a: square_root_kalman_filter(a.model(), [1, inf], a.start), "z", "only NaN may mark"),
 ]
-TABLE = MODELS + BELIEFS + FILTERS + FUNCTIONS + STEPS + REST + SMOOTHERS
+NONLINEAR = [
+    ("nominal too short", lambda a: lkf(a, np.zeros((4, 2))), "nominal", "(5, 2), got (4, 2)"),
+    ("nominal with a gap", lambda a: lkf(a, np.full((5, 2), nan)), "nominal", "finite, found nan"),
+    ("nominal of other runs", lambda a: lkf(a, np.zeros((3, 5, 2)), np.zeros((2, 5, 1))), "nominal", "nominal (3,)"),
+    ("linearised without model", lambda a: linearized_kalman_filter(a.F, a.z, a.start), "model", "got ndarray"),
+    ("jerk a matrix", lambda a: constant_acceleration(1, I2, 1), "jerk", "single number, got shape (2, 2)"),
+    ("no time passes", lambda a: singer(0, 1, 1, 1), "dt", "positive, got 0"),
+    ("manoeuvres for ever", lambda a: singer(1, 0, 1, 1), "rate", "positive, got 0"),
+    ("steered by nobody", lambda a: homing.fly(2, 0, steered_by="nobody"), "steered_by", "'estimate', got 'nobody'"),
+    ("told a lie", lambda a: homing.fly(2, 0, told="a lie"), "told", "'applied', got 'a lie'"),
+    ("far away", lambda a: homing.fly(2, 0, distance="far"), "distance", "'truth', got 'far'"),
+    ("no flight", lambda a: homing.fly(0), "runs", "at least 1, got 0"),
+    ("growth variant", lambda a: scenarios.scalar_growth("true"), "variant", "got 'true'"),
+    ("range sd", lambda a: scenarios.range_only(position_sd="wide"), "position_sd", "found text"),
+    ("bearings R", lambda a: scenarios.bearings_only(R=-1), "R", "found -1"),
+]
+TABLE = MODELS + BELIEFS + FILTERS + FUNCTIONS + STEPS + REST + SMOOTHERS + NONLINEAR
 
 
 @pytest.mark.parametrize(NAMES, TABLE, ids=lambda value: value.replace(" ", "-") if isinstance(value, str) else "")

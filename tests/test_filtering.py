@@ -15,8 +15,10 @@ from kflearn import (
     extended_kalman_filter,
     kalman_filter,
     kalman_step,
+    linearized_kalman_filter,
     predict,
     random_walk,
+    scenarios,
     start_from,
     unscented_kalman_filter,
 )
@@ -291,3 +293,31 @@ def test_kalman_step_with_a_gap_predicts():
     after = kalman_step(np.nan, 1, x=60, P=5, F=2, Q=3)
     np.testing.assert_allclose(after.mean, [120])
     np.testing.assert_allclose(after.cov, [[23]])
+
+
+def test_linearised_filter_about_a_given_path():
+    # By hand: F and H at the nominal states, everything else as in the Kalman filter on the differences from it.
+    rng = np.random.default_rng(2)
+    model, initial = bent(random_model(rng, 3, 2)), random_belief(rng, 3)
+    z, nominal = rng.normal(size=(9, 2)), rng.normal(size=(9, 3))
+    x, P, before, means = initial.mean, initial.cov, initial.mean, []
+    for k in range(9):
+        F, H = model.move_slope(before), model.measure_slope(nominal[k])
+        x, P = model.f(before) + F @ (x - before), F @ P @ F.T + model.Q
+        K = P @ H.T @ np.linalg.inv(H @ P @ H.T + model.R)
+        x, P = x + K @ (z[k] - model.h(nominal[k]) - H @ (x - nominal[k])), (np.eye(3) - K @ H) @ P
+        before = nominal[k]
+        means.append(x)
+    track = linearized_kalman_filter(model, z, initial, nominal=nominal)
+    np.testing.assert_allclose(track.mean, means)
+    np.testing.assert_allclose(track.cov[-1], P)
+
+
+def test_linearised_filter_shares_its_gains_and_wraps_angles():
+    scene = scenarios.bearings_only("crossing")
+    data = scene.simulate(runs=30, rng=0)
+    track = linearized_kalman_filter(scene.model, data.z, scene.initial)
+    assert track.gain.shape == (39, 4, 1)
+    assert abs(track.innovation.mean).max() < np.pi
+    turned = linearized_kalman_filter(scene.model, data.z + 2 * np.pi, scene.initial)
+    np.testing.assert_allclose(turned.mean, track.mean)

@@ -17,7 +17,10 @@ def test_nothing_heavy_is_loaded():
     assert [name for name in HEAVY if name in loaded] == []
 
 
-def test_it_takes_hardly_longer_than_numpy():
-    # Processor time after NumPy is there, so that a busy machine does not count; the best of five.
-    code = "import numpy, time; start = time.process_time(); import kflearn; print(time.process_time() - start)"
-    assert min(float(fresh(code=code).stdout) for _ in range(5)) < 0.05
+def test_it_takes_less_time_than_numpy_alone():
+    # Processor time in one process, so that a busy machine slows both; the median of five ratios.
+    code = (
+        "from time import process_time as now; a = now(); import numpy; b = now(); import kflearn; c = now(); "
+        "print((c - b) / (b - a))"
+    )
+    assert sorted(float(fresh(code=code).stdout) for _ in range(5))[2] < 1

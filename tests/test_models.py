@@ -1,7 +1,16 @@
 import numpy as np
 import pytest
 
-from kflearn import LinearModel, NonlinearModel, cart, constant_velocity, numerical_jacobian, random_walk
+from kflearn import (
+    LinearModel,
+    NonlinearModel,
+    cart,
+    constant_acceleration,
+    constant_velocity,
+    numerical_jacobian,
+    random_walk,
+    singer,
+)
 from kflearn.models import at, stacks
 
 
@@ -146,3 +155,24 @@ def test_the_difference_of_measurements():
     plain = NonlinearModel(np.sin, np.sin, 1, 1)
     assert plain.difference(3.0, 1.0) == 2
     assert plain.replace(residual=lambda z, expected: 42).difference(3.0, 1.0) == 42
+
+
+def test_constant_acceleration_and_singer():
+    # A Singer acceleration that hardly fades is nearly constant; one that fades at once is nearly white.
+    ca, slow = constant_acceleration(0.5, 0.3, 2.0), singer(0.5, 1e-6, 0.3, 2.0)
+    np.testing.assert_allclose(slow.F, ca.F, atol=1e-6)
+    np.testing.assert_allclose(ca.Q[-1, -1], 0.3**2)
+    np.testing.assert_allclose(ca.Q, ca.Q[:, -1:] * ca.Q[-1:] / ca.Q[-1, -1])
+    fast = singer(0.01, 1e4, 2.0, 1.0)
+    np.testing.assert_allclose(fast.F[2, 2], np.exp(-100), rtol=1e-9)
+    np.testing.assert_allclose(fast.Q[2, 2], 4.0, rtol=1e-9)
+
+
+@pytest.mark.parametrize("rate", [1e-3, 0.1, 1.0, 30.0])
+def test_singer_noise_is_what_small_steps_add_up_to(rate):
+    # Two halves of a step must give the whole, and the acceleration's variance must stay where it is.
+    whole, half = singer(2.0, rate, 3.0, 1.0), singer(1.0, rate, 3.0, 1.0)
+    np.testing.assert_allclose(half.F @ half.F, whole.F, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(half.F @ half.Q @ half.F.T + half.Q, whole.Q, rtol=1e-8)
+    steady = whole.F[2, 2] ** 2 * 9 + whole.Q[2, 2]
+    np.testing.assert_allclose(steady, 9.0)

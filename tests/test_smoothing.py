@@ -18,6 +18,7 @@ from kflearn import (
     cubature_kalman_filter,
     extended_kalman_filter,
     kalman_filter,
+    linearized_kalman_filter,
     nees,
     rmse,
     rts_smoother,
@@ -28,6 +29,7 @@ from kflearn import (
     unscented_kalman_filter,
 )
 
+NONLINEAR = [extended_kalman_filter, linearized_kalman_filter, unscented_kalman_filter, cubature_kalman_filter]
 FOLDER = Path(__file__).parent / "reference"
 
 
@@ -53,7 +55,7 @@ def test_it_is_one_least_squares_solve(smoother, seed):
     close(smooth.cov, cov, 1e-10)
 
 
-@pytest.mark.parametrize("kf", [extended_kalman_filter, unscented_kalman_filter, cubature_kalman_filter])
+@pytest.mark.parametrize("kf", NONLINEAR)
 @pytest.mark.parametrize("dressed", [False, True])
 @pytest.mark.parametrize("seed", range(1, 6))
 def test_on_linear_models_all_filters_smooth_alike(kf, dressed, seed):
@@ -97,7 +99,7 @@ def test_q_and_starts_may_have_batch_axes(smoother):
         close(smooth.cov[k], one.cov)
 
 
-@pytest.mark.parametrize("kf", [extended_kalman_filter, unscented_kalman_filter, cubature_kalman_filter])
+@pytest.mark.parametrize("kf", NONLINEAR)
 def test_a_nonlinear_batch_is_a_loop_and_ends_at_the_filter(kf):
     rng = np.random.default_rng(6)
     model, initial = bent(random_model(rng, 3, 2, 1)), random_belief(rng, 3)

@@ -1,63 +1,12 @@
-"""Every system of the course: the filter's model, the process that really made the data, and the belief at the start.
-
-Each function makes a `Scenario`; its keyword `variant` chooses between the published form and corrected or more honest
-ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 2022 (see the sources in lesson 00).
-"""
-
-from collections.abc import Callable
-from dataclasses import dataclass
+"""The linear systems: cart, voltmeter, temperature, free fall, train and ship."""
 
 import numpy as np
 
-from . import _checks as check
-from . import bearings
-from .angles import angle_difference
-from .gaussian import Gaussian
-from .models import LinearModel, NonlinearModel, random_walk
-from .models import cart as cart_model
-from .simulation import Simulation, simulate
-
-
-@dataclass(frozen=True, eq=False)
-class Scenario:
-    """One system of the course.
-
-    model: what the filter assumes; initial: what it believes one step before the first measurement; truth_model: what
-    really happens; truth_start: where that starts, a state (n,) or a Gaussian to draw from; steps: T; u: the control
-    input (T, p) known to the filter, truth_u the one that really acts.
-    """
-
-    description: str
-    model: LinearModel
-    initial: Gaussian
-    truth_model: LinearModel
-    truth_start: Gaussian | np.ndarray
-    steps: int
-    u: np.ndarray | None = None
-    truth_u: np.ndarray | None = None
-
-    def simulate(self, runs=None, rng=None):
-        """Simulation with .x (runs, T, n), .z (runs, T, m), .u (T, p); without `runs` a single run, no first axis."""
-        truth = simulate(self.truth_model, self.truth_start, self.steps, self.truth_u, runs, rng)
-        return Simulation(truth.x, truth.z, self.u)
-
-
-@dataclass(frozen=True, eq=False)
-class Recorded(Scenario):
-    """A system whose data no model made: record(steps, rng) returns one run, true states (T, n), measurements (T, m).
-
-    truth_model and truth_start are None.
-    """
-
-    record: Callable = None
-
-    def simulate(self, runs=None, rng=None):
-        """As Scenario.simulate."""
-        rng = np.random.default_rng(rng)
-        if runs is None:
-            return Simulation(*self.record(self.steps, rng), None)
-        series = [self.record(self.steps, rng) for _ in range(check.whole_number("runs", runs))]
-        return Simulation(*(np.stack(part) for part in zip(*series, strict=True)), None)
+from .. import _checks as check
+from ..gaussian import Gaussian
+from ..models import LinearModel, random_walk
+from ..models import cart as cart_model
+from .base import Scenario, choose
 
 
 def cart():
@@ -87,7 +36,7 @@ def voltmeter(variant="published", Q=4.0, R=4.0, steps=20):
         "random walk": (random_walk(4, 4), Gaussian(12, 4), None),
         "constant": (random_walk(0, 4), [12.0], None),
     }
-    truth_model, start, u = _variant(truths, variant)
+    truth_model, start, u = choose(truths, variant)
     description = f"A voltmeter reads a source of about 12 V; its true voltage: {variant}."
     initial = Gaussian(0, 100**2)
     return Scenario(description, random_walk(Q, R), initial, truth_model, start, steps, truth_u=u)
@@ -103,7 +52,7 @@ def temperature(variant="published"):
     model = random_walk(0.01, 0.25)
     first = Gaussian(24.9, 0.25)
     starts = {"published": (Gaussian(24.9, 0.01), np.array([25.1])), "honest start": (first, first)}
-    initial, truth_start = _variant(starts, variant)
+    initial, truth_start = choose(starts, variant)
     return Scenario("The temperature of a room.", model, initial, model, truth_start, steps=119)
 
 
@@ -117,7 +66,7 @@ def free_fall(variant="published"):
     """
     belief = Gaussian([95, 1], np.diag([10, 1]))
     variants = {"published": (1.0, -1.0, 999, belief.mean), "physical": (0.1, -9.8, 45, belief)}
-    dt, gravity, steps, truth_start = _variant(variants, variant)
+    dt, gravity, steps, truth_start = choose(variants, variant)
     model = LinearModel(F=[[1, dt], [0, 1]], H=[[1, 0]], Q=np.zeros((2, 2)), R=1, B=[[dt**2 / 2], [dt]])
     u = np.full((steps, 1), gravity)
     return Scenario("A body falls.", model, belief, model, truth_start, steps, u, u)
@@ -149,34 +98,5 @@ def ship(variant="published"):
         R=100 * axis,
     )
     initial = Gaussian([-100, 2, 200, 20], np.eye(4))
-    start = _variant({"published": initial.mean, "honest start": initial}, variant)
+    start = choose({"published": initial.mean, "honest start": initial}, variant)
     return Scenario("A ship and its GPS.", model, initial, model, start, steps=79)
-
-
-def bearing(variant="typical", q=200.0, r=500.0, steps=325):
-    """[KP] The bearing of a sound source, from a microphone array that reports whole degrees, 0 to 359.
-
-    The filter believes in a random walk of variance q (deg²) a sample, measured with variance r (deg²), as published;
-    its innovation is wrapped. Start: N(180°, 180²), nothing known. The recordings are look-alikes of real ones, see
-    `kflearn.bearings`; variants from calm to hard: "calm", "typical", "reflections", "switching", "crossing", "hard".
-    The true bearing .x is not wrapped: compare with angle_difference.
-    """
-    habits = _variant(bearings.VARIANTS, variant)
-    model = NonlinearModel(lambda x: x, lambda x: x, q, r, _one, _one, angle_difference)
-
-    def record(steps, rng):
-        truth, reported = bearings.recording(habits, check.whole_number("steps", steps), rng)
-        return truth[:, None], reported[:, None]
-
-    description = f"A microphone array reports the bearing of a sound source: {variant}."
-    return Recorded(description, model, Gaussian(180, 180**2), None, None, steps, record=record)
-
-
-def _one(x):
-    return np.ones((*x.shape, 1))
-
-
-def _variant(choices, variant):
-    if variant not in choices:
-        raise ValueError(f"variant must be one of {', '.join(map(repr, choices))}, got {variant!r}")
-    return choices[variant]

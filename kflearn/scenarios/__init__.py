@@ -1,0 +1,26 @@
+"""Every system of the course: the filter's model, the process that really made the data, and the belief at the start.
+
+Each function makes a `Scenario`; its keyword `variant` chooses between the published form and corrected or more honest
+ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 2022 (see the sources in lesson 00).
+"""
+
+from .base import Recorded, Scenario
+from .linear import cart, free_fall, ship, temperature, train, voltmeter
+from .nonlinear import bearing, bearings_only, homing_missile, range_and_bearing, range_only, scalar_growth
+
+__all__ = [
+    "Recorded",
+    "Scenario",
+    "bearing",
+    "bearings_only",
+    "cart",
+    "free_fall",
+    "homing_missile",
+    "range_and_bearing",
+    "range_only",
+    "scalar_growth",
+    "ship",
+    "temperature",
+    "train",
+    "voltmeter",
+]
