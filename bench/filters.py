@@ -14,7 +14,13 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter, MerweScaledSigmaPoints, UnscentedKalmanFilter
+from filterpy.kalman import (
+    ExtendedKalmanFilter,
+    IMMEstimator,
+    KalmanFilter,
+    MerweScaledSigmaPoints,
+    UnscentedKalmanFilter,
+)
 
 from kflearn import (
     Gaussian,
@@ -22,12 +28,14 @@ from kflearn import (
     constant_velocity,
     extended_kalman_filter,
     homing,
+    imm_filter,
     kalman_filter,
     rts_smoother,
     scenarios,
     simulate,
     unscented_kalman_filter,
 )
+from kflearn.multiple_models import lifted
 
 
 class Race(NamedTuple):
@@ -108,6 +116,25 @@ def missile():
     return Race("EKF, 9 states: 50 x 367", z, ours, theirs, 3, 14, 1e-6)
 
 
+def manoeuvring():
+    """Constant velocity and two constant accelerations in the plane, six states each."""
+    scene = scenarios.manoeuvring()
+    models, start = lifted(scene.models, scene.initial, scene.states), scene.initial
+    Pi, mu = scene.transition, scene.mode_probabilities
+
+    def theirs(series):
+        bank = [their_kalman_filter(model, start) for model in models]
+        imm, means = IMMEstimator(bank, mu, Pi), []
+        for z in series:
+            imm.predict()
+            imm.update(z)
+            means.append(imm.x.copy())
+        return np.array(means)
+
+    z = scene.simulate(50, rng=0).z
+    return Race("IMM, 3 models: 50 x 450", z, lambda z: imm_filter(models, z, start, Pi, mu), theirs, 2, 60)
+
+
 def races():
     volt, ship = scenarios.voltmeter(), scenarios.ship()
     cruise, start = constant_velocity(1.0, 0.1, 1.0), Gaussian([0, 0], np.eye(2))
@@ -119,6 +146,7 @@ def races():
     yield linear("constant velocity: 1 x 100,000", cruise, start, long, 1, 100)
     yield range_and_bearing()
     yield missile()
+    yield manoeuvring()
 
 
 def best(function, repeats):

@@ -30,6 +30,7 @@ from .models import (
     random_walk,
     singer,
 )
+from .multiple_models import imm_filter, mmae_filter
 from .simulation import simulate
 from .smoothing import rts_smoother, two_filter_smoother
 from .square_root import square_root_kalman_filter
@@ -49,9 +50,11 @@ __all__ = [
     "cubature_kalman_filter",
     "extended_kalman_filter",
     "homing",
+    "imm_filter",
     "kalman_filter",
     "kalman_step",
     "linearized_kalman_filter",
+    "mmae_filter",
     "nees",
     "nis",
     "numerical_jacobian",

@@ -41,6 +41,15 @@ def divide(C, S):
 _SIGNS = np.array([[1.0, -1.0], [-1.0, 1.0]])
 
 
+def log_determinant(S):
+    """log det S of positive definite matrices (..., m, m); written out for m = 1 and 2."""
+    if S.shape[-1] == 1:
+        return np.log(S[..., 0, 0])
+    if S.shape[-1] == 2:
+        return np.log(S[..., 0, 0] * S[..., 1, 1] - S[..., 0, 1] * S[..., 1, 0])
+    return np.linalg.slogdet(S)[1]
+
+
 def squared_distance(y, S):
     """yᵀ S⁻¹ y for y (..., m) and S (..., m, m)."""
     return (divide(y[..., None, :], S) @ y[..., :, None])[..., 0, 0]

@@ -180,9 +180,7 @@ def gaussian_filter(model, z, initial, u, through):
         belief, gain, innovation = _correct(model, predicted, z[..., k, :], k, through)
         steps.append((predicted, belief, innovation, gain))
     predicted, filtered, innovation, gains = zip(*steps, strict=True)
-    return Track(
-        _along(filtered), np.stack(gains, -3), lambda: _along(predicted), lambda: _along(innovation), u, through
-    )
+    return Track(along(filtered), np.stack(gains, -3), lambda: along(predicted), lambda: along(innovation), u, through)
 
 
 def _predict(model, belief, u, k, through):
@@ -209,6 +207,6 @@ def _stretch(belief, batch):
     return trusted(np.broadcast_to(belief.mean, (*batch, belief.mean.shape[-1])), belief.cov)
 
 
-def _along(beliefs):
+def along(beliefs):
     """Gaussians of single steps as one Gaussian along time."""
     return trusted(np.stack([b.mean for b in beliefs], -2), np.stack([b.cov for b in beliefs], -3))

@@ -39,8 +39,17 @@ def linearize(belief, function, slope, difference=np.subtract):
 
 def spread(A, P):
     """What a matrix does to a covariance: A P Aᵀ, and the cross-covariance P Aᵀ."""
-    cross = P @ A.mT
-    return A @ cross, cross
+    cross = _times(P, A.mT)
+    return _times(cross.mT, A.mT).mT, cross
+
+
+def _times(P, B):
+    """P B. Where one B serves a whole axis of matrices P, their rows make one tall matrix: several times faster."""
+    if P.ndim < 3 or (B.ndim > 2 and B.shape[-3] != 1):
+        return P @ B
+    rows = P.shape[-3] * P.shape[-2]
+    product = P.reshape(*P.shape[:-3], rows, P.shape[-1]) @ (B if B.ndim == 2 else B[..., 0, :, :])
+    return product.reshape(*product.shape[:-2], *P.shape[-3:-1], B.shape[-1])
 
 
 class SigmaPoints(NamedTuple):

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from .conditioning import hide, squared_distance
+from .conditioning import hide, log_determinant, squared_distance
 from .gaussian import Gaussian, tidy
 
 
@@ -63,12 +63,12 @@ class Track:
     @cached_property
     def nis(self):
         """Normalised innovation squared yᵀ S⁻¹ y of what was measured, (..., T); NaN where nothing was."""
-        return _scores(self.innovation)[0]
+        return scores(self.innovation)[0]
 
     @cached_property
     def log_likelihood(self):
         """The logarithm of the probability density of the whole series under the model, (...)."""
-        return _scores(self.innovation)[1].sum(axis=-1)
+        return scores(self.innovation)[1].sum(axis=-1)
 
 
 def settled(belief):
@@ -78,7 +78,7 @@ def settled(belief):
     return belief
 
 
-def _scores(innovation):
+def scores(innovation):
     """NIS and log-likelihood of each step."""
     missing = np.isnan(innovation.mean)
     y, S = np.where(missing, 0, innovation.mean), innovation.cov
@@ -86,5 +86,5 @@ def _scores(innovation):
         S = hide(S, missing)
     nis = squared_distance(y, S)
     seen = (~missing).sum(axis=-1)
-    log = -0.5 * (nis + np.linalg.slogdet(S)[1] + seen * np.log(2 * np.pi))
+    log = -0.5 * (nis + log_determinant(S) + seen * np.log(2 * np.pi))
     return np.where(seen > 0, nis, np.nan), log

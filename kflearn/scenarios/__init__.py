@@ -6,9 +6,11 @@ ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 
 
 from .base import Recorded, Scenario
 from .linear import cart, free_fall, ship, temperature, train, voltmeter
+from .manoeuvres import ManyModels, manoeuvring
 from .nonlinear import bearing, bearings_only, homing_missile, range_and_bearing, range_only, scalar_growth
 
 __all__ = [
+    "ManyModels",
     "Recorded",
     "Scenario",
     "bearing",
@@ -16,6 +18,7 @@ __all__ = [
     "cart",
     "free_fall",
     "homing_missile",
+    "manoeuvring",
     "range_and_bearing",
     "range_only",
     "scalar_growth",
