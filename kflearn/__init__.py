@@ -6,7 +6,9 @@ leading axes: a thousand runs are one call.
 """
 
 from . import homing, scenarios
+from .adaptive import adaptive_kalman_filter
 from .angles import angle_difference, circular_mean, wrap
+from .consider import schmidt_kalman_filter
 from .consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
 from .filtering import (
     correct,
@@ -39,6 +41,7 @@ __all__ = [
     "Gaussian",
     "LinearModel",
     "NonlinearModel",
+    "adaptive_kalman_filter",
     "angle_difference",
     "cart",
     "chi_square_interval",
@@ -63,6 +66,7 @@ __all__ = [
     "rmse",
     "rts_smoother",
     "scenarios",
+    "schmidt_kalman_filter",
     "simulate",
     "singer",
     "square_root_kalman_filter",

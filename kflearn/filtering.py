@@ -183,20 +183,29 @@ def gaussian_filter(model, z, initial, u, through):
     return Track(along(filtered), np.stack(gains, -3), lambda: along(predicted), lambda: along(innovation), u, through)
 
 
-def _predict(model, belief, u, k, through):
+def _predict(model, belief, u, k, through, Q=None):
     moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k))
-    return trusted(moved.mean, symmetric(moved.cov + at(model.Q, k)))
+    return trusted(moved.mean, symmetric(moved.cov + (at(model.Q, k) if Q is None else Q)))
 
 
 def _correct(model, predicted, z, k, through):
+    expected, innovation = expect(model, predicted, z, k, through)
+    return condition(predicted, expected, innovation, at(model.R, k))
+
+
+def expect(model, predicted, z, k, through):
+    """What the measurement should be, Moments without its noise, and the innovation z − ẑ."""
     expected = through(predicted, lambda x: model.measure(x, k), lambda x: model.measure_slope(x, k), model.difference)
-    R, missing = at(model.R, k), np.isnan(z)
+    return expected, model.difference(z, expected.mean)
+
+
+def condition(predicted, expected, innovation, R):
+    """Gaussian conditioning on the measurement: the belief after it, the gain, the innovation with its covariance."""
     full = S = expected.cov + R
-    cross = expected.cross
-    innovation = y = model.difference(z, expected.mean)
+    cross, y, missing = expected.cross, innovation, np.isnan(innovation)
     if missing.any():
         S, cross = without(missing, S, cross)
-        y = np.where(missing, 0, innovation)
+        y = np.where(missing, 0, y)
     gain = divide(cross, S)
     P = covariance_after(gain, predicted.cov, expected.slope, R + expected.rest, expected.basis)
     return trusted(predicted.mean + apply(gain, y), P), gain, trusted(innovation, full)

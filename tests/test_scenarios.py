@@ -30,6 +30,9 @@ SCENES = {
     "bearings_only": [{"variant": v} for v in ("published", "honest start", "crossing")],
     "range_and_bearing": [{"variant": v} for v in ("published", "honest start")],
     "homing_missile": [{}],
+    "manoeuvring": [{}],
+    "biased_sensor": [{}],
+    "unknown_noise": [{"variant": v} for v in ("constant", "changing", "as promised")],
     "bearing": [{"variant": v} for v in ("calm", "typical", "reflections", "switching", "crossing", "hard")],
 }
 CASES = [(name, settings) for name, variants in SCENES.items() for settings in variants]

@@ -5,7 +5,7 @@ ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 
 """
 
 from .base import Recorded, Scenario
-from .linear import cart, free_fall, ship, temperature, train, voltmeter
+from .linear import biased_sensor, cart, free_fall, ship, temperature, train, unknown_noise, voltmeter
 from .manoeuvres import ManyModels, manoeuvring
 from .nonlinear import bearing, bearings_only, homing_missile, range_and_bearing, range_only, scalar_growth
 
@@ -15,6 +15,7 @@ __all__ = [
     "Scenario",
     "bearing",
     "bearings_only",
+    "biased_sensor",
     "cart",
     "free_fall",
     "homing_missile",
@@ -25,5 +26,6 @@ __all__ = [
     "ship",
     "temperature",
     "train",
+    "unknown_noise",
     "voltmeter",
 ]

@@ -1,10 +1,10 @@
-"""The linear systems: cart, voltmeter, temperature, free fall, train and ship."""
+"""The linear systems: cart, voltmeter, temperature, free fall, train, ship and two odd sensors."""
 
 import numpy as np
 
 from .. import _checks as check
 from ..gaussian import Gaussian
-from ..models import LinearModel, random_walk
+from ..models import LinearModel, constant_velocity, random_walk
 from ..models import cart as cart_model
 from .base import Scenario, choose
 
@@ -100,3 +100,33 @@ def ship(variant="published"):
     initial = Gaussian([-100, 2, 200, 20], np.eye(4))
     start = choose({"published": initial.mean, "honest start": initial}, variant)
     return Scenario("A ship and its GPS.", model, initial, model, start, steps=79)
+
+
+def biased_sensor():
+    """[KS] A cart at about 10 m/s, whose position is measured every 0.1 s with a bias that wanders.
+
+    State [position (m), velocity (m/s), bias (m)]: white acceleration of 0.2 m/s², a first-order Gauss–Markov bias of
+    1 m and 2 s; R = 0.25 m², 400 steps. The filter starts at [1, 11, 0] with P = diag(4, 4, 1), the truth at [0, 10]
+    with a bias drawn from N(0, 1).
+    """
+    fading, line = np.exp(-0.1 / 2), constant_velocity(0.1, 0.2, 0.25)
+    F, Q = np.diag([0, 0, fading]), np.diag([0, 0, 1 - fading**2])
+    F[:2, :2], Q[:2, :2] = line.F, line.Q
+    model = LinearModel(F, [[1, 0, 1]], Q, 0.25)
+    truth = Gaussian([0, 10, 0], np.diag([0, 0, 1]))
+    return Scenario("A sensor with a bias.", model, Gaussian([1, 11, 0], np.diag([4, 4, 1])), model, truth, steps=400)
+
+
+def unknown_noise(variant="constant"):
+    """[KS] A cart at about 10 m/s, whose position is measured every 0.1 s by a sensor worse than its data sheet.
+
+    State [position (m), velocity (m/s)], white acceleration of 0.5 m/s², 400 steps; the filter believes R = 1 m² and
+    starts at the truth [0, 10] with P = 4 I. The sensor's variance, variant "constant": 4 m²; "changing": 1 m², but
+    16 m² from 15 to 25 s; "as promised": 1 m².
+    """
+    model = constant_velocity(0.1, 0.5, 1.0)
+    t = 0.1 * np.arange(1, 401)
+    changing = np.where((t > 15) & (t <= 25), 16.0, 1.0)[:, None, None]
+    truth = model.replace(R=choose({"constant": 4.0, "changing": changing, "as promised": 1.0}, variant))
+    start = np.array([0.0, 10.0])
+    return Scenario("A sensor worse than promised.", model, Gaussian(start, 4 * np.eye(2)), truth, start, steps=400)
