@@ -5,7 +5,7 @@ filters take a model, measurements (..., T, m) and an initial belief and return 
 leading axes: a thousand runs are one call.
 """
 
-from . import homing, scenarios
+from . import homing, navigation, scenarios, video
 from .adaptive import adaptive_kalman_filter
 from .angles import angle_difference, circular_mean, wrap
 from .consider import schmidt_kalman_filter
@@ -58,6 +58,7 @@ __all__ = [
     "kalman_step",
     "linearized_kalman_filter",
     "mmae_filter",
+    "navigation",
     "nees",
     "nis",
     "numerical_jacobian",
@@ -73,6 +74,7 @@ __all__ = [
     "start_from",
     "two_filter_smoother",
     "unscented_kalman_filter",
+    "video",
     "whiteness",
     "wrap",
 ]

@@ -5,20 +5,30 @@ ones. Sources: [KP] xiahouzuoxin 2014, [KM] zhangquan2015 2018, [KS] Chen Qijin 
 """
 
 from .base import Recorded, Scenario
-from .linear import biased_sensor, cart, free_fall, ship, temperature, train, unknown_noise, voltmeter
+from .linear import ball, biased_sensor, cart, free_fall, ship, temperature, train, unknown_noise, voltmeter
 from .manoeuvres import ManyModels, manoeuvring
-from .nonlinear import bearing, bearings_only, homing_missile, range_and_bearing, range_only, scalar_growth
+from .nonlinear import (
+    bearing,
+    bearings_only,
+    homing_missile,
+    inertial_navigation,
+    range_and_bearing,
+    range_only,
+    scalar_growth,
+)
 
 __all__ = [
     "ManyModels",
     "Recorded",
     "Scenario",
+    "ball",
     "bearing",
     "bearings_only",
     "biased_sensor",
     "cart",
     "free_fall",
     "homing_missile",
+    "inertial_navigation",
     "manoeuvring",
     "range_and_bearing",
     "range_only",

@@ -37,7 +37,8 @@ class Scenario:
 
 @dataclass(frozen=True, eq=False)
 class Recorded(Scenario):
-    """A system whose data no model made: record(steps, rng) returns one run, true states (T, n), measurements (T, m).
+    """A system whose data no model made: record(steps, rng) returns one run, true states (T, n) and measurements
+    (T, m), and also its own control inputs (T, p) where each run has others.
 
     truth_model and truth_start are None.
     """
@@ -45,12 +46,14 @@ class Recorded(Scenario):
     record: Callable = None
 
     def simulate(self, runs=None, rng=None):
-        """As Scenario.simulate."""
+        """As Scenario.simulate; .u (runs, T, p) where each run has its own."""
         rng = np.random.default_rng(rng)
         if runs is None:
-            return Simulation(*self.record(self.steps, rng), None)
-        series = [self.record(self.steps, rng) for _ in range(check.whole_number("runs", runs))]
-        return Simulation(*(np.stack(part) for part in zip(*series, strict=True)), None)
+            parts = self.record(self.steps, rng)
+        else:
+            series = [self.record(self.steps, rng) for _ in range(check.whole_number("runs", runs))]
+            parts = [np.stack(part) for part in zip(*series, strict=True)]
+        return Simulation(*parts) if len(parts) == 3 else Simulation(*parts, self.u)
 
 
 def choose(choices, variant):

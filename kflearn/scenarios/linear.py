@@ -1,12 +1,13 @@
-"""The linear systems: cart, voltmeter, temperature, free fall, train, ship and two odd sensors."""
+"""The linear systems: cart, voltmeter, temperature, free fall, train, ship, two odd sensors and a ball."""
 
 import numpy as np
 
 from .. import _checks as check
+from .. import video
 from ..gaussian import Gaussian
 from ..models import LinearModel, constant_velocity, random_walk
 from ..models import cart as cart_model
-from .base import Scenario, choose
+from .base import Recorded, Scenario, choose
 
 
 def cart():
@@ -130,3 +131,24 @@ def unknown_noise(variant="constant"):
     truth = model.replace(R=choose({"constant": 4.0, "changing": changing, "as promised": 1.0}, variant))
     start = np.array([0.0, 10.0])
     return Scenario("A sensor worse than promised.", model, Gaussian(start, 4 * np.eye(2)), truth, start, steps=400)
+
+
+def ball(variant="published"):
+    """[KM] A ball in a video (see `kflearn.video`): state [column, row] in px and their velocities in px/frame.
+
+    Gravity, 6 px/frame², is the control input of the row's velocity; Q = 0.01 I; the detections' R was measured as
+    [[.2845, .0045], [.0045, .0455]] px². 54 frames from the ball's first on, three of them hidden. The filter starts at
+    the picture's centre, at rest, and gravity does not act before the first frame. variant "published": P = 100 I,
+    although the ball may be 160 px away; "honest start": standard deviations of 100 px and 10 px/frame.
+    """
+    P = choose({"published": 100 * np.eye(4), "honest start": np.diag([1e4, 1e4, 100.0, 100.0])}, variant)
+    F, H = np.kron([[1, 1], [0, 1]], np.eye(2)), np.eye(2, 4)
+    model = LinearModel(F, H, 0.01 * np.eye(4), [[0.2845, 0.0045], [0.0045, 0.0455]], [[0], [0], [0], [1]])
+    u = np.append(0, np.full(53, 6.0))[:, None]
+
+    def record(steps, rng):
+        film = video.render(6 + steps, rng=rng)
+        return film.truth[6:], video.detect(film.frames[6:], film.frames[:6].mean(axis=0)).centre
+
+    initial = Gaussian([160, 120, 0, 0], P)
+    return Recorded("A ball falls and bounces in a video.", model, initial, None, None, 54, u, record=record)

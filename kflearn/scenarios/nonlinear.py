@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import _checks as check
-from .. import bearings, homing
+from .. import bearings, homing, navigation
 from ..angles import angle_difference
 from ..gaussian import Gaussian
 from ..models import NonlinearModel
@@ -135,6 +135,24 @@ def homing_missile():
     model = NonlinearModel(move, homing.angles, homing.Q, R, lambda x, u: homing.F, homing.angles_jacobian, _wrapped)
     start = homing.TRUE_START
     return Scenario("A missile homes on a target.", model, homing.START, model, start, homing.STEPS, u, u)
+
+
+def inertial_navigation(variant="turning", outage=(80.0, 110.0)):
+    """[KS] A vehicle navigates in the plane by accelerometers and a gyro, 0.1 s a step, with a satellite fix each
+    second: nine states, four of them errors of the sensors, see `kflearn.navigation`.
+
+    120 s: from rest to 10 m/s in 10 s, then variant "turning": bends to the left and right, 9°/s for 20 s each, from
+    30 s on; or "straight". No fix comes during the `outage` (from, to), in seconds. The true start of each run is drawn
+    from the filter's belief, and so are the sensors' errors; .u of a simulation is what the sensors read.
+    """
+    choose({"turning": None, "straight": None}, variant)
+    start = Gaussian([0, 0, 0, 0, np.radians(30), 0, 0, 0, 0], np.diag(navigation.START_SD**2))
+
+    def record(steps, rng):
+        return navigation.drive(variant, steps, start.sample(rng=rng), rng, outage)
+
+    description = f"A vehicle navigates by its own sensors and by satellites: {variant}."
+    return Recorded(description, navigation.model(), start, None, None, 1200, record=record)
 
 
 # The plane: states [x, vx, y, vy], one second a step, an unknown acceleration in x and one in y.
