@@ -68,7 +68,7 @@ class SigmaPoints(NamedTuple):
         L = np.broadcast_to(root(belief.cov), (*belief.batch, n, n))
         reach = self.spread * np.moveaxis(L, -1, 0)
         out = function(belief.mean + np.concatenate([np.zeros_like(reach[:1]), reach, -reach]))
-        # All relative to the image of the mean: weights of ±1e4 then cost no digits, and angles may wrap.
+        # All relative to the image of the mean: weights of ±1e4 then cost fewer digits, and angles may wrap.
         offset = difference(out[1:], out[0])
         ahead, behind = offset[:n], offset[n:]
         shift = self.others * offset.sum(axis=0)

@@ -20,22 +20,25 @@ DRIFT_SD = np.array([1e-3, 1e-3, np.radians(1e-3), 1e-5])  # of the sensors' err
 def move(x, u):
     """One step of strapdown navigation: states (..., 9) and sensor readings (..., 3) to states (..., 9)."""
     position, velocity, heading = x[..., :2], x[..., 2:4], x[..., 4]
+    turn = (u[..., 2] - x[..., 7]) * DT
     force = (u[..., :2] - x[..., 5:7]) / (1 + x[..., 8:])
-    acceleration = _turned(force, heading)
-    turned = heading + (u[..., 2] - x[..., 7]) * DT
+    acceleration = _turned(force, heading + turn / 2)
     moved = position + velocity * DT + acceleration * DT**2 / 2
-    return np.concatenate([moved, velocity + acceleration * DT, turned[..., None], _like(x[..., 5:], moved)], axis=-1)
+    return np.concatenate(
+        [moved, velocity + acceleration * DT, (heading + turn)[..., None], _like(x[..., 5:], moved)], axis=-1
+    )
 
 
 def move_jacobian(x, u):
     """The Jacobian (..., 9, 9) of `move` with respect to the state."""
     scale = 1 + x[..., 8:]
-    force, heading = (u[..., :2] - x[..., 5:7]) / scale, x[..., 4]
+    force, heading = (u[..., :2] - x[..., 5:7]) / scale, x[..., 4] + (u[..., 2] - x[..., 7]) * DT / 2
     acceleration = _turned(force, heading)
     slope = np.zeros((*acceleration.shape, 9))  # of the acceleration
     slope[..., 4] = np.stack([-acceleration[..., 1], acceleration[..., 0]], axis=-1)
     for axis in range(2):
         slope[..., 5 + axis] = -_turned(np.broadcast_to(np.eye(2)[axis], force.shape), heading) / scale
+    slope[..., 7] = -slope[..., 4] * DT / 2
     slope[..., 8] = -acceleration / scale
     F = np.zeros((*acceleration.shape[:-1], 9, 9))
     F[..., :2, :] = slope * DT**2 / 2
