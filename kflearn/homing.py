@@ -10,9 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _checks as check
+from .angles import angle_difference
 from .filtering import correct, predict
 from .gaussian import Gaussian
 from .models import NonlinearModel, singer_matrix
+from .moments import linearize
 
 DT, RATE, STEPS, IMPACT = 0.01, 1e4, 366, 3.7
 TRUE_START = np.array([3500.0, 1500, 1000, -1100, -150, -50, 0, 0, 0])
@@ -38,6 +40,11 @@ def angles_jacobian(x):
     return H
 
 
+def wrapped(z, expected):
+    """The difference of two angles in radians, between −π and π."""
+    return angle_difference(z, expected, 2 * np.pi)
+
+
 def time_to_go(k):
     """Seconds (…) from step k to the impact that the guidance law is made for; 3.68 at the first step, k = 0."""
     return IMPACT - (np.asarray(k) + 2) * DT
@@ -58,13 +65,13 @@ def noise(distance):
 def model(distance=1000.0):
     """The filter's model, with R for a target `distance` metres away; the control input is the acceleration."""
     R = noise(np.asarray(check.numbers("distance", distance)))
-    return NonlinearModel(lambda x, u: x @ F.T + u @ PUSH.T, angles, Q, R, lambda x, u: F, angles_jacobian)
+    return NonlinearModel(lambda x, u: x @ F.T + u @ PUSH.T, angles, Q, R, lambda x, u: F, angles_jacobian, wrapped)
 
 
-def step(belief, z, u, distance):
+def step(belief, z, u, distance, through=linearize):
     """The published filter's step: predict with the acceleration u (..., 3), correct with the angles z (..., 2)."""
     now = model(distance)
-    return correct(now, predict(now, belief, u), z)
+    return correct(now, predict(now, belief, u), z, through=through)
 
 
 class Flight(NamedTuple):
@@ -91,13 +98,23 @@ class Flight(NamedTuple):
         return np.linalg.norm(self.x[..., :3], axis=-1).min(axis=-1)
 
 
-def fly(runs=50, rng=None, steered_by="truth", told="own law", distance="estimate", measured=True, start=START):
+def fly(
+    runs=50,
+    rng=None,
+    steered_by="truth",
+    told="own law",
+    distance="estimate",
+    measured=True,
+    start=START,
+    through=linearize,
+):
     """Let missiles fly and filters watch, 366 steps of 0.01 s.
 
     steered_by: "truth" (as published: the guidance law sees the true state) or "estimate".
     told: the control that the filter predicts with: "own law" (published: its own estimate in the law) or "applied".
     distance: what R = 0.1/d² is made of: "estimate" (published), "truth", or a number of metres (no range at all).
     measured: False leaves the filter without any angle. start: the Gaussian of the filter before the first step.
+    through: how it corrects, see `moments`.
     Returns a Flight. Raises ValueError for other words.
     """
     _known("steered_by", steered_by, ("truth", "estimate"))
@@ -116,7 +133,7 @@ def fly(runs=50, rng=None, steered_by="truth", told="own law", distance="estimat
         believed = own if told == "own law" else applied
         ranges = {"truth": away, "estimate": np.linalg.norm(belief.mean[..., :3], axis=-1)}
         seen = z if measured else np.full_like(z, np.nan)
-        belief = step(belief, seen, believed, ranges[distance] if isinstance(distance, str) else distance)
+        belief = step(belief, seen, believed, ranges[distance] if isinstance(distance, str) else distance, through)
         rows.append((x, z, belief.mean, np.broadcast_to(belief.cov, (runs, 9, 9)), applied, believed))
     x, z, mean, cov, applied, believed = (np.stack(part, axis=1) for part in zip(*rows, strict=True))
     return Flight(x, z, mean, cov, applied, believed)

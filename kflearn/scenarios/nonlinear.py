@@ -92,7 +92,7 @@ def bearings_only(variant="published", R=0.1 * np.pi / 180):
     mean, start = choose(starts, variant)
     measure, slope = _sight(4, [0, 2], [0, 1000], [1])
     Q = 1e-4 * _KICKS @ _KICKS.T
-    model = NonlinearModel(lambda x: x @ _PLANE.T, measure, Q, R, lambda x: _PLANE, slope, _wrapped)
+    model = NonlinearModel(lambda x: x @ _PLANE.T, measure, Q, R, lambda x: _PLANE, slope, homing.wrapped)
     return Scenario("A station measures where a target is seen.", model, Gaussian(mean, np.eye(4)), model, start, 39)
 
 
@@ -132,7 +132,9 @@ def homing_missile():
         x = move(x, u[k])
         path.append(x)
     R = homing.noise(np.linalg.norm(np.array(path)[:, :3], axis=-1))[:, 0]
-    model = NonlinearModel(move, homing.angles, homing.Q, R, lambda x, u: homing.F, homing.angles_jacobian, _wrapped)
+    model = NonlinearModel(
+        move, homing.angles, homing.Q, R, lambda x, u: homing.F, homing.angles_jacobian, homing.wrapped
+    )
     start = homing.TRUE_START
     return Scenario("A missile homes on a target.", model, homing.START, model, start, homing.STEPS, u, u)
 
@@ -178,10 +180,5 @@ def _sight(n, position, station, rows):
     return measure, slope
 
 
-def _wrapped(z, expected):
-    """The difference of two angles in radians, between −π and π."""
-    return angle_difference(z, expected, 2 * np.pi)
-
-
 def _polar_difference(z, expected):
-    return np.concatenate([z[..., :1] - expected[..., :1], _wrapped(z[..., 1:], expected[..., 1:])], axis=-1)
+    return np.concatenate([z[..., :1] - expected[..., :1], homing.wrapped(z[..., 1:], expected[..., 1:])], axis=-1)

@@ -1,0 +1,232 @@
+"""Lesson 16: several models that interact."""
+
+import math
+
+import numpy as np
+
+from kflearn.exercises.engine import exercise
+
+
+@exercise(
+    hints=[
+        "Two ways lead to “straight”: from straight, by staying, and from turning, by stopping. Their probabilities add.",
+        "Each way has the probability of where it starts times that of the passage: 0.7 · 0.98 is the first.",
+        "`0.7 * 0.98 + 0.3 * 0.10`",
+    ],
+    wrong={
+        "only those who stay": (
+            0.7 * 0.98,
+            "That counts those who stay straight. Some of the turning ones, 0.3 · 0.10, stop turning and arrive too.",
+        ),
+        "the row of Π": (
+            0.7 * 0.98 + 0.3 * 0.02,
+            "You went along a row of Π. To arrive at “straight” is its column: 0.98 from straight, 0.10 from turning.",
+        ),
+        "nobody changes": (0.7, "That is the probability before the step; some stop and some begin to turn."),
+        "the other mode": (
+            0.7 * 0.02 + 0.3 * 0.90,
+            "That is the probability of “turning”; one minus it is asked for.",
+        ),
+        "turning stays": (
+            0.7 * 0.98 + 0.3 * 0.90,
+            "0.90 of the turning ones go on turning. Those who arrive at “straight” are the other 0.10.",
+        ),
+    },
+    rtol=5e-4,
+)
+def arriving():
+    """P(straight) after a step: now 0.7; straight stays with 0.98, turning stops with 0.10."""
+    return 0.7 * 0.98 + 0.3 * 0.10
+
+
+@exercise(
+    hints=[
+        "The blend's mean is halfway. How far is each model from it?",
+        "Variance of the blend: the mean of the two variances plus the mean of the two squared distances to the blend's mean.",
+        "`np.sqrt(30**2 + 30**2)`, because each of the two means is 30 m from the middle.",
+    ],
+    wrong={
+        "spread forgotten": (
+            30.0,
+            "That is the mean of the two widths. The two disagree by 60 m, and a blend must cover both: add the spread.",
+        ),
+        "fused": (
+            30 / math.sqrt(2),
+            "You fused them, as if both were right. Only one of them is, and nobody knows which: a blend is wider.",
+        ),
+        "variance": (1800.0, "That is the variance, in m²; σ is its root."),
+        "distance between the two": (
+            math.hypot(30, 60),
+            "You took the distance between the two means, 60 m. It is the distance to the blend's mean that counts, 30 m.",
+        ),
+        "deviations added": (60.0, "Deviations do not add; variances do: 30² + 30²."),
+    },
+    unit="m",
+)
+def blended_sigma():
+    """The σ of the blend of two equally probable bells, 0 m and 60 m, each with σ = 30 m."""
+    return math.sqrt(30**2 + 30**2)
+
+
+def stays_and_clock(rng):
+    """How long each of three or four modes lasts, and the time between readings, in seconds."""
+    return rng.integers(20, 600, rng.integers(3, 5)).astype(float), float(rng.integers(1, 6))
+
+
+def leaving(stays, T):
+    """A transition matrix whose rows leave with T / stays."""
+    M = len(stays)
+    leave = (T / stays)[:, None]
+    return np.where(np.eye(M, dtype=bool), 1 - leave, leave / (M - 1))
+
+
+@exercise(
+    hints=[
+        "A mode that is left with chance p at each step lasts 1/p steps on average. How many steps are `stays[i]` seconds?",
+        "p = T / stays, one for each row. On the diagonal stands 1 − p; the rest of the row shares p equally.",
+        "`p = (T / stays)[:, None]; M = len(stays); return np.where(np.eye(M, dtype=bool), 1 - p, p / (M - 1))`",
+    ],
+    inputs=stays_and_clock,
+    wrong={
+        "columns sum to one": (
+            lambda stays, T: leaving(stays, T).T,
+            "Your columns sum to one. Row i is “from mode i”: whoever leaves it goes somewhere, so the rows must.",
+        ),
+        "clock forgotten": (
+            lambda stays, T: leaving(stays, 1.0),
+            "You took one step for one second. In `stays[i]` seconds there are `stays[i] / T` steps.",
+        ),
+        "clock upside down": (
+            lambda stays, T: leaving(stays, 1 / T),
+            "T stands in the denominator: the longer a step, the more likely a change within it.",
+        ),
+        "shared among all": (
+            lambda stays, T: np.where(
+                np.eye(len(stays), dtype=bool), 1 - (T / stays)[:, None], (T / stays)[:, None] / len(stays)
+            ),
+            "You shared the leaving among all M modes; who leaves passes to one of the other M − 1. Your rows fall short of 1.",
+        ),
+        "not shared": (
+            lambda stays, T: np.where(np.eye(len(stays), dtype=bool), 1 - (T / stays)[:, None], (T / stays)[:, None]),
+            "Each off-diagonal entry has the whole chance to leave; the others must share it, or the rows exceed 1.",
+        ),
+        "stay and leave swapped": (
+            lambda stays, T: np.where(
+                np.eye(len(stays), dtype=bool), (T / stays)[:, None], (1 - T / stays)[:, None] / (len(stays) - 1)
+            ),
+            "The diagonal is the chance to stay, 1 − T / stays; you put the chance to leave there.",
+        ),
+        "one for all": (
+            lambda stays, T: leaving(np.full(len(stays), stays.mean()), T),
+            "Each mode has its own length: row i belongs to `stays[i]`.",
+        ),
+        "exponential": (
+            lambda stays, T: np.where(
+                np.eye(len(stays), dtype=bool),
+                np.exp(-T / stays)[:, None],
+                (1 - np.exp(-T / stays))[:, None] / (len(stays) - 1),
+            ),
+            "exp(−T / stays) is right for changes at any moment; here a change can come only with a step, and a mean of "
+            "`stays / T` steps asks for 1 − T / stays.",
+        ),
+    },
+)
+def transition(stays, T):
+    """Π for modes that last `stays` seconds on average, with a step every T seconds and no favourite among the others."""
+    M = len(stays)
+    leave = (T / stays)[:, None]
+    return np.where(np.eye(M, dtype=bool), 1 - leave, leave / (M - 1))
+
+
+def readings(rng):
+    """Positions (runs, 3, 2) in round numbers, and the time between them."""
+    return rng.integers(-9, 10, (3, 3, 2)) * 100.0, float(rng.integers(2, 6))
+
+
+def assembled(first, place, speed):
+    """What a start returns: the first positions, and the states [x, vx, y, vy] at the second sample."""
+    return first, np.stack([place[:, 0], speed[:, 0], place[:, 1], speed[:, 1]], axis=-1)
+
+
+def for_all(speed, z):
+    """The speed of run 1 for all runs."""
+    return np.tile(speed[0], (len(z), 1))
+
+
+def swapped(z):
+    """The first position with the index of the sample where the index of the component should be."""
+    return np.stack([z[:, 0, 0], z[:, 1, 0]], axis=-1)
+
+
+@exercise(
+    hints=[
+        "Read the three indices aloud: run, sample, component. `z[:, 1, 0]` is the second sample's east. Is that a north?",
+        "In the line with `speed` the first index is a 0: whose readings are these? Put a colon there.",
+        "`first = z[:, 0]`; `speed = (z[:, 1] - z[:, 0]) / T`; the last line stays.",
+    ],
+    inputs=readings,
+    wrong={
+        "as published": (
+            lambda z, T: assembled(swapped(z), z[:, 1], for_all((z[:, 1] - z[:, 0]) / T, z)),
+            "That is still the published start: an east in place of a north, and run 1's speed for all.",
+        ),
+        "only the position mended": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], for_all((z[:, 1] - z[:, 0]) / T, z)),
+            "The first position is mended. All runs still start with the speed of run 1.",
+        ),
+        "only the speed mended": (
+            lambda z, T: assembled(swapped(z), z[:, 1], (z[:, 1] - z[:, 0]) / T),
+            "Each run has its own speed now. The first position still has the second sample's east in place of a north.",
+        ),
+        "wrong sample": (
+            lambda z, T: assembled(np.stack([z[:, 0, 0], z[:, 1, 1]], axis=-1), z[:, 1], (z[:, 1] - z[:, 0]) / T),
+            "It is a north now, but that of the second sample: both parts of the first position come from sample 0.",
+        ),
+        "speed backwards": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 0] - z[:, 1]) / T),
+            "Your ships sail backwards: later minus earlier.",
+        ),
+        "T forgotten": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], z[:, 1] - z[:, 0]),
+            "Both indices are mended, but a difference of positions is no speed until it is divided by T.",
+        ),
+        "mean speed of all runs": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], np.tile(((z[:, 1] - z[:, 0]) / T).mean(axis=0), (len(z), 1))),
+            "Each run is a ship of its own that knows nothing of the others: do not average over the runs.",
+        ),
+        "state at the first sample": (
+            lambda z, T: assembled(z[:, 0], z[:, 0], (z[:, 1] - z[:, 0]) / T),
+            "Both faults are mended, but the state belongs to the second sample: its position is z[:, 1].",
+        ),
+        "order of the states": (
+            lambda z, T: (z[:, 0], np.concatenate([z[:, 1], (z[:, 1] - z[:, 0]) / T], axis=-1)),
+            "The numbers are right, the order is not: the state is [east, its speed, north, its speed].",
+        ),
+    },
+)
+def mended_start(z, T):
+    """First positions (runs, 2) and states [x, vx, y, vy] (runs, 4) at the second of the readings z (runs, T, 2)."""
+    first = z[:, 0]
+    speed = (z[:, 1] - z[:, 0]) / T
+    return first, np.stack([z[:, 1, 0], speed[:, 0], z[:, 1, 1], speed[:, 1]], axis=-1)
+
+
+@exercise(
+    hints=[
+        "The matrix, call it G, is used in one place only: Q = G q Gᵀ. What is q for the straight model?",
+        "The straight model “has never heard of turns”: its q is 0. What is G · 0 · Gᵀ?",
+    ],
+    wrong={
+        "smaller": (
+            "smaller",
+            "So one would hope. But G enters only by Q = G q Gᵀ, and for this model q = 0: Q is zero with any G.",
+        ),
+        "larger": (
+            "larger",
+            "Mending does no harm here either: G enters only by Q = G q Gᵀ, and for this model q = 0.",
+        ),
+    },
+)
+def wrong_push():
+    """What does mending G = [T/2, 1] to [T²/2, T] do to the error, where Q = G q Gᵀ with q = 0?"""
+    return "nothing"

@@ -1,0 +1,218 @@
+"""Lesson 15: five points through a bend."""
+
+import numpy as np
+
+from kflearn.exercises.engine import exercise
+
+
+def image(degrees):
+    """The y-coordinate at a distance of 100 m."""
+    return 100 * np.sin(np.radians(degrees))
+
+
+@exercise(
+    hints=[
+        "First the rule for n = 1: the scale is α²(n + κ), the centre weighs 1 − n/scale, each of the others 1/(2 scale).",
+        "The scale is 3: weights 2/3, 1/6, 1/6, and the outer points √3 standard deviations from 90°.",
+        "2/3 · 100 + 1/6 · 100 sin(90° + √3 · 30°) + 1/6 · 100 sin(90° − √3 · 30°); √3 · 30° is 51.96°.",
+    ],
+    wrong={
+        "tangent": (100.0, "That is the tangent's answer, the image of the mean. Two points must slide down the arc."),
+        "one sigma": (
+            lambda: 2 / 3 * 100 + 1 / 3 * image(120),
+            "The weights are right, but your outer points sit at ±1σ. They sit at ±√scale σ, with scale = 3.",
+        ),
+        "scale without its root": (
+            lambda: 2 / 3 * 100 + 1 / 3 * image(180),
+            "Your outer points sit at ±3σ: the scale multiplies the variance, so σ is stretched by its root, √3.",
+        ),
+        "kappa forgotten": (
+            lambda: image(120),
+            "That is κ = 0: scale 1, no weight at the centre, two points at ±1σ. Here the scale is α²(n + κ) = 3.",
+        ),
+        "kappa as the scale": (
+            lambda: 0.5 * 100 + 0.5 * image(90 + np.sqrt(2) * 30),
+            "You took κ = 2 for the scale. The scale is α²(n + κ) = 3.",
+        ),
+        "equal weights": (
+            lambda: (100 + 2 * image(90 + np.sqrt(3) * 30)) / 3,
+            "The points are right, but the weights are not equal: the centre has 1 − n/scale = 2/3, the others 1/6 each.",
+        ),
+        "one outer point": (
+            lambda: 2 / 3 * 100 + 1 / 6 * image(90 + np.sqrt(3) * 30),
+            "One outer point is missing: your weights sum to 5/6.",
+        ),
+        "degrees for radians": (
+            lambda: 2 / 3 * 100 * np.sin(90) + 100 / 6 * (np.sin(90 + np.sqrt(3) * 30) + np.sin(90 - np.sqrt(3) * 30)),
+            "Your sine takes radians, and you gave it degrees: `np.sin(np.radians(…))`.",
+        ),
+        "the true mean": (
+            lambda: 100 * np.exp(-(np.radians(30) ** 2) / 2),
+            "That is the true mean, and very near. The three points give a little more: take their weighted sum.",
+        ),
+    },
+    unit="m",
+    rtol=1e-4,
+)
+def three_points():
+    """The mean of 100 sin θ for θ of 90° ± 30°, by the unscented rule with n = 1, α = 1, κ = 2."""
+    angle = np.radians(90 + np.sqrt(3) * 30 * np.array([0, 1, -1]))
+    return np.array([2 / 3, 1 / 6, 1 / 6]) @ (100 * np.sin(angle))
+
+
+@exercise(
+    hints=[
+        "With λ = 3 − n, n + λ is 3, for any n. The declaration says α²(n + κ).",
+        "Solve α²(4 + κ) = 3 for κ, once for each α. For α = 1 you find it in the loop of this cell.",
+        "α = 1: κ = 3 − 4. α = ½: 4 + κ = 3/0.25 = 12.",
+    ],
+    wrong={
+        "alpha forgotten": (
+            (-1, -1),
+            "Right for α = 1. But α² multiplies n + κ: with α = ½ a larger κ must make up for it.",
+        ),
+        "alpha not squared": ((-1, 2), "Right for α = 1. For α = ½ you divided by α; the scale holds α², a quarter."),
+        "n forgotten": ((3, 12), "Those are the values of n + κ. Take off n = 4."),
+        "sign": ((1, -8), "Both signs are turned round: κ = 3/α² − n."),
+        "lambda": (
+            (-1, -3.25),
+            "Right for α = 1. For α = ½ you shrank 3 by α²; the declaration must be larger, 3/α² − n.",
+        ),
+        "as declared": (
+            (0, 0),
+            "κ = 0 is what the program declares. Then n + λ would be 4, or 1, and it works with 3.",
+        ),
+        "swapped": ((8, -1), "The two values have changed places: first for α = 1, then for α = ½."),
+    },
+)
+def declared_kappa():
+    """The κ that makes α²(n + κ) equal n + λ with λ = 3 − n, for n = 4: first with α = 1, then with α = ½."""
+    return 3 / 1**2 - 4, 3 / 0.5**2 - 4
+
+
+def covariance(rng, n):
+    """A covariance with correlations."""
+    root = np.tril(rng.integers(-2, 3, (n, n)) / 2, -1) + np.diag(rng.integers(2, 7, n) / 2)
+    return root @ root.T
+
+
+def moved_belief(rng):
+    """Mean and covariance of moved points, a Q, and a scale."""
+    n = int(rng.integers(2, 4))
+    return rng.integers(-20, 20, n) / 2, covariance(rng, n), covariance(rng, n), rng.integers(5, 40) / 10
+
+
+def around(mean, rows):
+    """The points mean, mean + rows, mean − rows."""
+    return np.vstack([mean, mean + rows, mean - rows])
+
+
+def columns(P):
+    """The columns of the Cholesky root, as rows."""
+    return np.linalg.cholesky(P).T
+
+
+@exercise(
+    hints=[
+        "The points are to carry the whole predicted belief. What is its covariance, once Q is in?",
+        "`sigma_points` does it all, if it gets the right covariance.",
+        "`return sigma_points(mean, P + Q, scale)`.",
+    ],
+    inputs=moved_belief,
+    wrong={
+        "as published": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * P)),
+            "Those are points for P alone, as published: they do not know that Q has widened the belief.",
+        ),
+        "Q alone": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * Q)),
+            "Those points carry only Q; the belief before it, P, is lost.",
+        ),
+        "roots added": (
+            lambda mean, P, Q, scale: around(mean, np.sqrt(scale) * (columns(P) + columns(Q))),
+            "You added the roots. Variances add, their roots do not: take the root of P + Q.",
+        ),
+        "Q not scaled": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * P + Q)),
+            "The scale must stretch Q as well: the root of scale · (P + Q).",
+        ),
+        "no scale": (
+            lambda mean, P, Q, scale: around(mean, columns(P + Q)),
+            "The covariance is right, but the points sit at ±1σ: the scale is missing.",
+        ),
+        "scale without its root": (
+            lambda mean, P, Q, scale: around(mean, scale * columns(P + Q)),
+            "The covariance is right, but the root is stretched by the scale; stretch it by √scale, or the covariance by the scale.",
+        ),
+        "rows for columns": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q)).T),
+            "You took the rows of the Cholesky root; the points go along its columns. Transpose it: `np.linalg.cholesky(…).T`.",
+        ),
+        "covariance for its root": (
+            lambda mean, P, Q, scale: around(mean, scale * (P + Q)),
+            "You went along the columns of the covariance itself; take its Cholesky root first.",
+        ),
+        "minus first": (
+            lambda mean, P, Q, scale: around(mean, -columns(scale * (P + Q))),
+            "The right points in another order: first the centre, then all with plus, then all with minus.",
+        ),
+        "plus and minus by turns": (
+            lambda mean, P, Q, scale: np.vstack(
+                [mean, *(mean + side * row for row in columns(scale * (P + Q)) for side in (1, -1))]
+            ),
+            "The right points in another order: first the centre, then all with plus, then all with minus.",
+        ),
+        "around zero": (
+            lambda mean, P, Q, scale: around(0 * mean, columns(scale * (P + Q))),
+            "The spread is right, but the points lie around zero: add the mean.",
+        ),
+        "turned": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q))).T,
+            "The right points, turned on their side: one row for each point was asked for, (2n + 1, n).",
+        ),
+    },
+)
+def redrawn(mean, P, Q, scale):
+    """The points to be measured, (2n+1, n): those of a belief that moved to N(mean, P) and was then widened by Q."""
+    reach = np.linalg.cholesky(scale * (P + Q)).T
+    return np.vstack([mean, mean + reach, mean - reach])
+
+
+@exercise(
+    hints=[
+        "P₀ is diagonal: eᵀP₀⁻¹e is a sum of six terms, each component's e² divided by its claimed variance.",
+        "On average e² is the variance it is really drawn with. So add up six ratios, real to claimed.",
+        "1/100 + 1/100 + 0.01/1 + 0.01/1 + 0.0001/0.1 + 0.0001/0.1.",
+    ],
+    wrong={
+        "honest": (
+            6.0,
+            "That would be an honest start, each component contributing 1. Here each contributes far less.",
+        ),
+        "the wrong way": (2400.0, "You divided the claim by what is real. Divide Q by P₀."),
+        "per state": (
+            0.042 / 6,
+            "That is the mean of the six ratios, to be compared with 1; their sum was asked for, to be compared with 6.",
+        ),
+        "with standard deviations": (
+            lambda: 2 * (0.1 + 0.1 + np.sqrt(0.001)),
+            "You added ratios of standard deviations; eᵀP₀⁻¹e is made of squares, so take ratios of variances.",
+        ),
+        "squared twice": (
+            2 * (1e-4 + 1e-4 + 1e-6),
+            "You squared the ratios, but Q and P₀ hold variances already.",
+        ),
+        "position only": (0.02, "That is the position's share; velocity and acceleration belong to it too."),
+        "one axis": (0.021, "That is one axis, x or y; each entry stands twice on the diagonal."),
+        "acceleration forgotten": (0.04, "The accelerations are missing: they bring 0.0001/0.1 twice."),
+        "quotient of the sums": (
+            2.0202 / 202.2,
+            "You divided the sums. Each component has its own unit and its own claim: first divide, then add.",
+        ),
+    },
+)
+def start_nees():
+    """The average of eᵀP₀⁻¹e for P₀ = diag(100, 100, 1, 1, 0.1, 0.1), when e is drawn from Q = diag(1, 1, 0.01, 0.01, 0.0001, 0.0001)."""
+    claimed = np.array([100, 100, 1, 1, 0.1, 0.1])
+    real = np.array([1, 1, 0.01, 0.01, 1e-4, 1e-4])
+    return np.sum(real / claimed)
