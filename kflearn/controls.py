@@ -79,7 +79,8 @@ class Slider(Control):
         tip = f"{name} {self.range()}"
         self.box = ipw.BoundedFloatText(
             self.value, min=self.low, max=self.high, description=self.label, tooltip=tip,
-            style={"description_width": "initial"}, layout=ipw.Layout(width="auto", max_width="10em"),
+            style={"description_width": "initial"},
+            layout=ipw.Layout(width="auto", max_width=f"{max(10, 6.5 + 0.6 * len(name)):.3g}em"),
         )  # fmt: skip
         look = dict(readout=False, layout=ipw.Layout(width="auto", min_width="8em", flex="1 1 8em"))
         if self.log:
@@ -163,6 +164,9 @@ class Toggle(Choice):
         layout = ipw.Layout(width="auto")
         self.widget = self.buttons = ipw.Checkbox(self.value, description=self.label, indent=False, layout=layout)
         self.buttons.observe(lambda change: self.take(change["new"]), "value")
+
+    def caption(self, value):
+        return f"{self.label} {'on' if value else 'off'}"
 
     def describe(self):
         return f"{self.name}: on or off"

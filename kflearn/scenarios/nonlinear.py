@@ -80,10 +80,10 @@ def bearings_only(variant="published", R=0.1 * np.pi / 180):
     White acceleration of variance 1e-4 in x and y; P₀ = I around the truth [0, 2, 1400, −10], 39 steps. R = 0.1·π/180
     is taken as a variance, as published: a standard deviation of 2.394°. The innovation is wrapped.
     variant "published": the truth starts exactly where the filter believes; "honest start": it is drawn from the
-    belief; "crossing": the target passes behind the station, through all quadrants on that side.
+    belief; "crossing": the target goes round the station through three quadrants, never nearer than about 140 m.
     """
     published = np.array([0.0, 2.0, 1400.0, -10.0])
-    crossing = np.array([300.0, -15.0, 1300.0, -12.0])
+    crossing = np.array([160.0, -15.0, 1400.0, -12.0])
     starts = {
         "published": (published, published),
         "honest start": (published, Gaussian(published, np.eye(4))),
