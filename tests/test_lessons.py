@@ -6,6 +6,7 @@ That the outputs are true is nbval's part, which runs on notebooks/ in the same 
 import re
 import statistics
 import sys
+from itertools import pairwise
 from pathlib import Path
 from urllib.parse import urlparse
 
@@ -122,3 +123,17 @@ def test_every_slider_works_at_its_ends(path):
     notebook.cells.append(nbformat.v4.new_code_cell(SWEEP))
     execute(notebook)
     assert not [o for o in notebook.cells[-1].outputs if o.output_type == "error"]
+
+
+@pytest.mark.parametrize("page", ["README.md", "notebooks/00-start-here.ipynb"])
+def test_the_map_is_complete(page):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    found = re.findall(r"\]\((?:notebooks/)?(\d\d-[\w-]+\.ipynb)\)", text)
+    assert sorted(set(found)) == sorted(path.name for path in LESSONS)
+
+
+def test_each_lesson_leads_to_the_next():
+    for path, following in pairwise(LESSONS):
+        last, first = (re.findall(r"\]\((\d\d-[\w-]+\.ipynb)\)", load(p).cells[-1].source) for p in (path, following))
+        assert following.name in last, f"{path.name} does not lead to {following.name}"
+        assert path.name in first, f"{following.name} does not lead back to {path.name}"
