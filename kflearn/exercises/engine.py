@@ -20,6 +20,7 @@ import warnings
 
 import numpy as np
 
+from kflearn.exercises import progress
 from kflearn.exercises._answers import arity_fault, chosen, entries, fault, listed, numbers_in, show, told, unfinished
 
 LEAD = {
@@ -107,7 +108,10 @@ class Exercise:
             with _quiet():
                 if unfinished(answer):
                     return Outcome("not attempted", "Put your answer in place of `...` and run the cell again.")
-                return self._judge(answer)
+                outcome = self._judge(answer)
+            if outcome.status == "right":
+                progress.note(self.module, self.name)
+            return outcome
         except KeyboardInterrupt:  # the learner stops their own endless loop
             raise
         except BaseException:  # an object that fights back when it is looked at

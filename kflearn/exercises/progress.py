@@ -1,0 +1,91 @@
+"""The learner's progress: which exercises are solved, in one small file beside the notebooks.
+
+The file may be deleted, or damaged, or be read-only: then progress starts anew, or is not kept, and nothing else
+changes. Only exercises solved in a notebook kernel started beside lesson 0 are noted, or wherever the environment
+variable KFLEARN_PROGRESS names a file.
+"""
+
+import contextlib
+import html
+import json
+import os
+import re
+import sys
+from importlib import import_module
+from pathlib import Path
+
+NAME = ".progress.json"
+
+
+def place():
+    """The file, or None where progress is not kept."""
+    if named := os.environ.get("KFLEARN_PROGRESS"):
+        return Path(named)
+    in_notebook = "ipykernel" in sys.modules
+    return Path(NAME) if in_notebook and Path("00-start-here.ipynb").exists() else None
+
+
+def solved():
+    """The names "lesson.exercise" of all that is solved; an empty set where the file is missing or damaged."""
+    file = place()
+    try:
+        names = json.loads(file.read_text(encoding="utf-8"))["solved"]
+        return {name for name in names if isinstance(name, str)}
+    except (AttributeError, OSError, ValueError, KeyError, TypeError):
+        return set()
+
+
+def note(module, name):
+    """Note an exercise as solved; where the file cannot be written, nothing happens."""
+    file, known = place(), solved()
+    key = f"{module.rpartition('.')[2]}.{name}"
+    if file is None or key in known:
+        return
+    with contextlib.suppress(OSError):
+        new = file.with_name(file.name + ".new")
+        new.write_text(json.dumps({"solved": sorted(known | {key})}, indent=1), encoding="utf-8")
+        os.replace(new, file)
+
+
+def lessons(folder="."):
+    """(file name, title, [exercise names], module) of each lesson in a folder that has exercises."""
+    found = []
+    for path in sorted(Path(folder).glob("[0-9][0-9]-*.ipynb")):
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        text = "\n".join("".join(cell["source"]) for cell in cells)
+        module = re.search(r"^from kflearn\.exercises import (\w+) as exercises$", text, re.MULTILINE)
+        if module:
+            names = list(dict.fromkeys(re.findall(r"exercises\.(\w+)\.check\(", text)))
+            found.append((path.name, text.splitlines()[0].lstrip("# "), names, module[1]))
+    return found
+
+
+def table(folder="."):
+    """What is solved and what is not, lesson by lesson, with links: a thing to show in a notebook."""
+    return Table(folder)
+
+
+class Table:
+    """Rows of lessons with ticks; its words never change, so that a stored notebook stays true."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def __repr__(self):
+        return "Run this cell in JupyterLab: a table of the exercises you have solved, lesson by lesson."
+
+    def html(self):
+        """The table as HTML."""
+        known, rows, total = solved(), [], 0
+        for file, title, names, module in lessons(self.folder):
+            done = [f"{module}.{name}" in known for name in names]
+            total += len(names)
+            ticks = " ".join("✓" if one else "○" for one in done)
+            link = f'<a href="{html.escape(file)}" target="_blank">{html.escape(title)}</a>'
+            rows.append(f"<tr><td>{link}</td><td>{ticks}</td><td>{sum(done)} of {len(done)}</td></tr>")
+        mine = sum(f"{m}.{n}" in known for _, _, names, m in lessons(self.folder) for n in names)
+        return f"<table>{''.join(rows)}<tr><td>all</td><td></td><td>{mine} of {total}</td></tr></table>"
+
+    def _repr_mimebundle_(self, **_):
+        ipywidgets = import_module("ipywidgets")
+        return ipywidgets.HTML(self.html())._repr_mimebundle_() | {"text/plain": repr(self)}
