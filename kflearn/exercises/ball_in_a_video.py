@@ -293,11 +293,7 @@ def near(rows):
         ),
         "NaN counts as near": (
             lambda rows: 6.0 if np.any(abs(rows - 210) >= 1) else 0.0,
-            "A frame without a detection counts as near the floor with you: a comparison with NaN is False, so ask whether all are near.",
-        ),
-        "unseen left out": (
-            lambda rows: 0.0 if np.all(near(rows[np.isfinite(rows)])) else 6.0,
-            "You left the unseen frames out. Where nothing was seen, nothing is known to rest: three frames must have been seen.",
+            "A frame without a detection counts as near the floor with you: where nothing was seen, nothing is known to rest. Ask whether *all* three are near.",
         ),
         "mean": (
             lambda rows: 0.0 if near(np.mean(rows)) else 6.0,
@@ -314,10 +310,6 @@ def near(rows):
         "one side": (
             lambda rows: 0.0 if np.all(rows - 210 < 1) else 6.0,
             "Without the absolute value every ball above the floor counts as resting: rows count downwards.",
-        ),
-        "one side, below": (
-            lambda rows: 0.0 if np.all(rows > 209) else 6.0,
-            "You look at one side only: within 1 px means above as well as below.",
         ),
     },
 )

@@ -84,7 +84,7 @@ def averages(rng):
     hints=[
         "Write the average's error: the mean of N noises, plus the mean of N times the same bias.",
         "The mean of N equal numbers is that number. Only the noise becomes smaller.",
-        "return math.sqrt(R / N + B), or the same with `np.sqrt`.",
+        "`return np.sqrt(R / N + B)`",
     ],
     inputs=averages,
     wrong={
