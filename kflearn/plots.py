@@ -230,15 +230,26 @@ def _palette():
     return table, nearest
 
 
-def encode(rgba, quick=False):
+def encode(rgba, quick=False, photo=False):
     """A picture (height, width, 4) of bytes as a PNG of at most 256 fixed colours; white stays white.
 
     quick : a file a third larger in a tenth of the time (2–3 ms for 800 × 500), for pictures that move
+    photo : 48 of the picture's own colours instead, for photographs; slow
     """
     from PIL import Image
 
-    table, nearest = _palette()
     rgba = np.ascontiguousarray(rgba)
+    picture = Image.fromarray(rgba[..., :3]).quantize(48) if photo else _indexed(rgba)
+    file = io.BytesIO()
+    picture.save(file, "png", **({"compress_level": 1, "compress_type": 3} if quick else {"compress_level": 9}))
+    return file.getvalue()
+
+
+def _indexed(rgba):
+    """A picture in the fixed colours."""
+    from PIL import Image
+
+    table, nearest = _palette()
     colour = rgba.view("<u4").ravel()  # one number a pixel: red in the lowest byte
     image = np.zeros(colour.size, np.uint8)  # 0 is white
     inked = np.flatnonzero(colour != 0xFFFFFFFF)
@@ -246,23 +257,22 @@ def encode(rgba, quick=False):
     image[inked] = nearest[(c << 7) & 0x7C00 | (c >> 6) & 0x3E0 | (c >> 19) & 0x1F]
     picture = Image.fromarray(image.reshape(rgba.shape[:2]))
     picture.putpalette(table.tobytes())
-    file = io.BytesIO()
-    picture.save(file, "png", **({"compress_level": 1, "compress_type": 3} if quick else {"compress_level": 9}))
-    return file.getvalue()
+    return picture
 
 
-def png(fig):
+def png(fig, photo=False):
     """The figure as the bytes of a PNG file."""
-    return encode(pixels(fig))
+    return encode(pixels(fig), photo=photo)
 
 
-def show(fig, alt):
+def show(fig, alt, photo=False):
     """Show a figure in the notebook, with a text that says in words what is to be seen.
 
     alt : one or two sentences. They go into the image's metadata, into the text form of the output and, because
     JupyterLab, nbconvert and GitHub use neither for a picture, into a line under it that opens on a click.
+    photo : keep the colours of photographs
     """
-    display_png(png(fig), alt)
+    display_png(png(fig, photo), alt)
 
 
 def display_png(data, alt):
