@@ -9,38 +9,6 @@ from kflearn.exercises.engine import exercise
 
 @exercise(
     hints=[
-        "Two ways lead to “straight”: from straight, by staying, and from turning, by stopping. Their probabilities add.",
-        "Each way has the probability of where it starts times that of the passage: 0.7 · 0.98 is the first.",
-        "`0.7 * 0.98 + 0.3 * 0.10`",
-    ],
-    wrong={
-        "only those who stay": (
-            0.7 * 0.98,
-            "That counts those who stay straight. Some of the turning ones, 0.3 · 0.10, stop turning and arrive too.",
-        ),
-        "the row of Π": (
-            0.7 * 0.98 + 0.3 * 0.02,
-            "You went along a row of Π. To arrive at “straight” is its column: 0.98 from straight, 0.10 from turning.",
-        ),
-        "nobody changes": (0.7, "That is the probability before the step; some stop and some begin to turn."),
-        "the other mode": (
-            0.7 * 0.02 + 0.3 * 0.90,
-            "That is the probability of “turning”; one minus it is asked for.",
-        ),
-        "turning stays": (
-            0.7 * 0.98 + 0.3 * 0.90,
-            "0.90 of the turning ones go on turning. Those who arrive at “straight” are the other 0.10.",
-        ),
-    },
-    rtol=5e-4,
-)
-def arriving():
-    """P(straight) after a step: now 0.7; straight stays with 0.98, turning stops with 0.10."""
-    return 0.7 * 0.98 + 0.3 * 0.10
-
-
-@exercise(
-    hints=[
         "The blend's mean is halfway. How far is each model from it?",
         "Variance of the blend: the mean of the two variances plus the mean of the two squared distances to the blend's mean.",
         "`np.sqrt(30**2 + 30**2)`, because each of the two means is 30 m from the middle.",
