@@ -210,5 +210,5 @@ def _stacked(matrices, axes):
 def _probabilities(name, value, M):
     array = check.shape(name, check.numbers(name, value), (M,))
     if (array < 0).any() or abs(array.sum(axis=-1) - 1).max() > 1e-9:
-        raise ValueError(f"{name} must hold probabilities that sum to 1, got {array}")
+        raise ValueError(f"{name} must hold probabilities that sum to 1, got {array.tolist()}")
     return array

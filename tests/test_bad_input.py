@@ -10,6 +10,7 @@ from kflearn import (
     Gaussian,
     LinearModel,
     NonlinearModel,
+    adaptive_kalman_filter,
     cart,
     chi_square_interval,
     constant_acceleration,
@@ -19,9 +20,11 @@ from kflearn import (
     cubature_kalman_filter,
     extended_kalman_filter,
     homing,
+    imm_filter,
     kalman_filter,
     kalman_step,
     linearized_kalman_filter,
+    mmae_filter,
     nees,
     nis,
     predict,
@@ -29,12 +32,14 @@ from kflearn import (
     rmse,
     rts_smoother,
     scenarios,
+    schmidt_kalman_filter,
     simulate,
     singer,
     square_root_kalman_filter,
     start_from,
     two_filter_smoother,
     unscented_kalman_filter,
+    video,
     whiteness,
 )
 
@@ -80,6 +85,20 @@ def kf(a, model=None, z=None, initial=None, u=None):
 
 def ekf(a, u=None, **functions):
     return extended_kalman_filter(a.bent(**functions), a.z, a.start, u)
+
+
+def imm(a, models=None, transition=((0.5, 0.5), (0.5, 0.5)), weights=(0.5, 0.5), z=None, initial=None, states=None):
+    """The IMM filter with one wrong argument."""
+    models, z = [a.model(), a.bent()] if models is None else models, a.z if z is None else z
+    return imm_filter(models, z, a.start if initial is None else initial, transition, weights, states=states)
+
+
+def consider(a, considered):
+    return schmidt_kalman_filter(a.model(), a.z, a.start, considered=considered)
+
+
+def adaptive(a, **settings):
+    return adaptive_kalman_filter(a.model(), a.z, a.start, **settings)
 
 
 def lkf(a, nominal, z=None):
@@ -412,7 +431,55 @@ NONLINEAR = [
     ("range sd", lambda a: scenarios.range_only(position_sd="wide"), "position_sd", "found text"),
     ("bearings R", lambda a: scenarios.bearings_only(R=-1), "R", "found -1"),
 ]
-TABLE = MODELS + BELIEFS + FILTERS + FUNCTIONS + STEPS + REST + SMOOTHERS + NONLINEAR
+MANY = [
+    ("no list of models", lambda a: imm(a, a.model()), "models", "got LinearModel"),
+    ("no models", lambda a: imm(a, []), "models", "a list of models, got list"),
+    ("an array among the models", lambda a: imm(a, [a.model(), a.F]), "model", "got ndarray"),
+    (
+        "models that measure otherwise",
+        lambda a: imm(a, [a.model(), a.model(H=I2, R=I2)]),
+        "models",
+        "got [1, 2] of them",
+    ),
+    ("a model of another length", lambda a: imm(a, [a.model(), random_walk(1, 1)]), "initial", "1 components like"),
+    ("transition too large", lambda a: imm(a, transition=np.eye(3)), "transition", "(2, 2), got (3, 3)"),
+    ("transition by columns", lambda a: imm(a, transition=[[0.9, 0.2], [0.1, 0.8]]), "transition", "sum to 1"),
+    ("transition negative", lambda a: imm(a, transition=[[1.1, -0.1], [0, 1]]), "transition", "sum to 1"),
+    ("weights for three", lambda a: imm(a, weights=[0.2, 0.3, 0.5]), "mode_probabilities", "(2,), got (3,)"),
+    ("weights too heavy", lambda a: imm(a, weights=[1, 1]), "mode_probabilities", "sum to 1, got"),
+    ("states for one", lambda a: imm(a, states=[[0, 1]]), "states", "2 lists"),
+    ("states twice", lambda a: imm(a, states=[[0, 0], [0, 1]]), "states", "different indices below 2"),
+    ("states beyond", lambda a: imm(a, states=[[0, 2], [0, 1]]), "states", "different indices below 2"),
+    ("states a number", lambda a: imm(a, states=[0, 1]), "states", "a list of indices, got 0"),
+    ("many models, infinite z", lambda a: imm(a, z=[1, inf]), "z", "only NaN may mark"),
+    ("many models, odd start", lambda a: imm(a, initial=a.x, states=[[0, 1]] * 2), "initial", "got ndarray"),
+    (
+        "bank weights",
+        lambda a: mmae_filter([a.model()] * 2, a.z, a.start, None, [2, -1]),
+        "mode_probabilities",
+        "sum to 1",
+    ),
+    ("consider beyond", lambda a: consider(a, [2]), "considered", "indices below 2"),
+    ("consider a half", lambda a: consider(a, [0.5]), "considered", "whole number of at least 0, got 0.5"),
+    ("consider a number", lambda a: consider(a, 1), "considered", "a list of indices, got 1"),
+    ("consider a function", lambda a: schmidt_kalman_filter(a.bent(), a.z, a.start), "model", "got NonlinearModel"),
+    ("adapt everything", lambda a: adaptive(a, adapt="both"), "adapt", "'R' or 'Q', got 'both'"),
+    ("window of one", lambda a: adaptive(a, window=1), "window", "at least 2, got 1"),
+    ("floor under ground", lambda a: adaptive(a, floor=0), "floor", "positive, got 0"),
+    ("adapt no model", lambda a: adaptive_kalman_filter(a.F, a.z, a.start), "model", "got ndarray"),
+    ("a film without colours", lambda a: video.detect(np.zeros((2, 4, 5)), a.F), "frames", "(any, any, any, 3)"),
+    (
+        "another background",
+        lambda a: video.detect(np.zeros((2, 4, 5, 3)), np.zeros((4, 4, 3))),
+        "background",
+        "(4, 5, 3)",
+    ),
+    ("a film of no frames", lambda a: video.render(0), "steps", "at least 1, got 0"),
+    ("drive backwards", lambda a: scenarios.inertial_navigation("reverse"), "variant", "got 'reverse'"),
+    ("noise variant", lambda a: scenarios.unknown_noise("loud"), "variant", "got 'loud'"),
+    ("ball variant", lambda a: scenarios.ball("red"), "variant", "got 'red'"),
+]
+TABLE = MODELS + BELIEFS + FILTERS + FUNCTIONS + STEPS + REST + SMOOTHERS + NONLINEAR + MANY
 
 
 @pytest.mark.parametrize(NAMES, TABLE, ids=lambda value: value.replace(" ", "-") if isinstance(value, str) else "")
