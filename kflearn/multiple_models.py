@@ -6,7 +6,7 @@ import numpy as np
 
 from . import _checks as check
 from .arguments import check_belief, check_model, check_series
-from .filtering import _correct, _predict, along
+from .filtering import _correct, _predict
 from .gaussian import Gaussian, trusted
 from .models import LinearModel
 from .moments import linearize
@@ -102,17 +102,12 @@ def _filter(models, z, initial, transition, weights, u, through):
         evidence = np.logaddexp.reduce(log_weights, axis=0)
         log_weights = log_weights - evidence
         total = total + evidence
-        rows.append((_mixture(np.exp(log_weights), beliefs), log_weights, beliefs))
-    joint, log_weights, beliefs = zip(*rows, strict=True)
-    return MultipleModelTrack(
-        along(joint),
-        np.moveaxis(np.exp(np.stack(log_weights, axis=-1)), 0, -1),
-        trusted(
-            np.moveaxis(np.stack([b.mean for b in beliefs], axis=-2), 0, -2),
-            np.moveaxis(np.stack([b.cov for b in beliefs], axis=-3), 0, -3),
-        ),
-        total,
-    )
+        rows.append((log_weights, beliefs.mean, beliefs.cov))
+    log_weights, means, covs = zip(*rows, strict=True)
+    modes = trusted(np.stack(means, axis=-2), np.stack(covs, axis=-3))
+    shares = np.exp(np.stack(log_weights, axis=-1))
+    last = trusted(np.moveaxis(modes.mean, 0, -2), np.moveaxis(modes.cov, 0, -3))
+    return MultipleModelTrack(_mixture(shares, modes), np.moveaxis(shares, 0, -1), last, total)
 
 
 def _mix(beliefs, log_weights, log_transition):
