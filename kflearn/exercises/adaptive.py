@@ -7,42 +7,6 @@ from kflearn.exercises.engine import exercise
 
 @exercise(
     hints=[
-        "First C, the mean of the squares. What the filter expected to scatter by itself must not be blamed on the sensor.",
-        "C = (9 + 1 + 16 + 16) / 4 = 10.5 m². Of these the prediction explains 2.5 m².",
-        "`10.5 - 2.5`",
-    ],
-    wrong={
-        "C alone": (
-            10.5,
-            "That is C, all that the innovations scatter. The prediction's own share, 2.5 m², comes off.",
-        ),
-        "added": (13.0, "You added the prediction's share. S = HP⁻Hᵀ + R is what C measures; R is what remains of it."),
-        "mean removed": (
-            7.75,
-            "You took the mean of the four off first, as a variance does. The filter expects 0, so any mean is its fault "
-            "or the sensor's: take the mean of the squares.",
-        ),
-        "mean removed, N − 1": (
-            10.25 * 4 / 3 - 2.5,
-            "That is a sample variance with N − 1. The expected mean is known, it is 0: sum of squares over N.",
-        ),
-        "N − 1": (11.5, "You divided by N − 1 = 3. No mean was estimated, so all four count: divide by 4."),
-        "summed": (39.5, "You summed the squares. C is their mean: divide by 4."),
-        "σ": (8**0.5, "Right up to the last step: that is the standard deviation, and R is a variance."),
-        "mean size squared": (
-            6.5,
-            "You squared the mean size of the innovations. Square first, then take the mean: large ones count more.",
-        ),
-    },
-    unit="m²",
-)
-def by_hand():
-    """Innovations 3, −1, −4, 4 m, all with a prediction variance HP⁻Hᵀ of 2.5 m². R̂?"""
-    return np.mean(np.square([3, -1, -4, 4])) - 2.5
-
-
-@exercise(
-    hints=[
         "How much does a mean of N squared bells scatter? By S √(2/N), S being the variance of one of them.",
         "S is not R: an innovation scatters by what the sensor does and by what the prediction does, 1 + 0.3.",
         "You need 1.3 √(2/N) ≤ 0.1. Solve for N, and round up.",
