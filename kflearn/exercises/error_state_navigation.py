@@ -1,0 +1,220 @@
+"""Lesson 18: through a tunnel."""
+
+import math
+
+import numpy as np
+
+from kflearn.exercises.engine import exercise
+
+
+@exercise(
+    hints=[
+        "What does the sensor show too much while the tram pulls, and what while it brakes? The filter subtracts the first all the time.",
+        "The 6 % of the true acceleration change their sign with it. Which acceleration is left over when the filter subtracts too much?",
+        "0.1 + 0.03 is learnt, 0.1 − 0.03 is needed: 0.06 m/s² too much is subtracted. Over 30 s that makes b·t²/2.",
+    ],
+    wrong={
+        "the scale once": (
+            lambda: 0.03 * 30**2 / 2,
+            "You counted the scale error once. It is learnt with a plus sign and met with a minus: the difference is twice 0.03.",
+        ),
+        "all of it": (
+            lambda: 0.13 * 30**2 / 2,
+            "That is what the INS alone would make of 0.13 m/s². The filter subtracts something; how much too much?",
+        ),
+        "bias and braking": (
+            lambda: 0.07 * 30**2 / 2,
+            "That is what the sensor shows too much while braking. But the filter subtracts 0.13 m/s² of it, which is too much by …?",
+        ),
+        "the bias alone": (
+            lambda: 0.1 * 30**2 / 2,
+            "That is the bias without any filter. It has been learnt; what was learnt with it, and does not belong there?",
+        ),
+        "half forgotten": (
+            lambda: 0.06 * 30**2,
+            "The acceleration is right. An acceleration makes a·t²/2 metres, not a·t².",
+        ),
+        "a speed": (
+            lambda: 0.06 * 30,
+            "The acceleration is right, but a·t is the speed that it makes; you need the way.",
+        ),
+        "nothing": (
+            0,
+            "While the tram pulls, nothing is off. When it brakes, the scale error changes its sign and the learnt bias does not.",
+        ),
+    },
+    unit="m",
+)
+def all_bias():
+    """How far off (m) is a filter after 30 s of braking with −0.5 m/s², if it took 0.1 + 6 % of 0.5 m/s² for a bias?"""
+    learnt, needed = 0.1 + 0.06 * 0.5, 0.1 - 0.06 * 0.5
+    return (learnt - needed) * 30**2 / 2
+
+
+def tunnel_mouths(rng):
+    """A speed error (m/s), a bias (m/s²) and an allowed error (m)."""
+    return float(rng.integers(1, 9)) / 4, float(rng.integers(1, 20)) / 100, float(rng.integers(3, 40))
+
+
+@exercise(
+    hints=[
+        "A speed that is wrong by dv makes dv·t metres, a bias b makes b·t²/2. Both pull the same way, so they add.",
+        "Solve b t²/2 + dv t − allowed = 0 for t, and take the root that lies in the future.",
+        "`return (-dv + np.sqrt(dv**2 + 2 * b * allowed)) / b`",
+    ],
+    inputs=tunnel_mouths,
+    wrong={
+        "half forgotten": (
+            lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + 4 * b * allowed)) / (2 * b),
+            "You let the bias make b·t² metres. Its speed grows from nothing to b·t, and on average is half of that: b·t²/2.",
+        ),
+        "only the bias": (
+            lambda dv, b, allowed: math.sqrt(2 * allowed / b),
+            "That is the bias alone. The wrong speed, which the tram takes into the tunnel, comes on top.",
+        ),
+        "only the speed": (
+            lambda dv, b, allowed: allowed / dv,
+            "That is the speed alone. The bias makes the speed wronger all the time.",
+        ),
+        "the past": (
+            lambda dv, b, allowed: (-dv - math.sqrt(dv**2 + 2 * b * allowed)) / b,
+            "That is the other root of the parabola: a time before the tunnel. Take the plus sign.",
+        ),
+        "signs against each other": (
+            lambda dv, b, allowed: (dv + math.sqrt(dv**2 + 2 * b * allowed)) / b,
+            "Here speed and bias pull against each other; they pull the same way, so the solution begins with −dv.",
+        ),
+        "two times added": (
+            lambda dv, b, allowed: allowed / dv + math.sqrt(2 * allowed / b),
+            "You added two times. The two errors happen at the same time: add the metres, then solve for t.",
+        ),
+        "the earlier of two": (
+            lambda dv, b, allowed: min(allowed / dv, math.sqrt(2 * allowed / b)),
+            "You let the two race. But they work together: add the metres, then solve for t.",
+        ),
+        "not divided": (
+            lambda dv, b, allowed: -dv + math.sqrt(dv**2 + 2 * b * allowed),
+            "Nearly: that is b·t, the speed gained meanwhile. Divide by b.",
+        ),
+    },
+)
+def dark_time(dv, b, allowed):
+    """After how many seconds do a speed error dv and a bias b, pulling the same way, make `allowed` metres?"""
+    return (-dv + math.sqrt(dv**2 + 2 * b * allowed)) / b
+
+
+@exercise(
+    hints=[
+        "Write down F, the slopes of the five expressions: which states stand in its entries?",
+        "The slope of east with respect to ψ is −(1 + s)·d·sin ψ, with respect to s it is d·cos ψ. In ψ + w − b every slope is 1 or −1.",
+        "The entries of F hold ψ and s, nothing else: `[0, 0, 1, 0, 1]`.",
+    ],
+    wrong={
+        "everything": (
+            [1, 1, 1, 1, 1],
+            "That does it, as the closed loop. But some of the five stand nowhere in F, and may stay in either book.",
+        ),
+        "nothing": (
+            [0, 0, 0, 0, 0],
+            "That is the open loop: here a product and a sine and cosine bend the motion, so it gives another answer.",
+        ),
+        "the bias too": (
+            [0, 0, 1, 1, 1],
+            "Enough, but one too many: b enters only by ψ + w − b, a straight line whose slope is −1 wherever it is drawn.",
+        ),
+        "heading alone": (
+            [0, 0, 1, 0, 0],
+            "ψ bends, yes. But it is multiplied by 1 + s: the slope with respect to ψ is −(1 + s)·d·sin ψ, and needs the right s too.",
+        ),
+        "scale alone": (
+            [0, 0, 0, 0, 1],
+            "The scale stands in F, yes. But so does ψ, inside the sine and cosine.",
+        ),
+        "the sensors' faults": (
+            [0, 0, 0, 1, 1],
+            "Tempting, and not enough: the heading itself stays wrong in the first book, and F is drawn there.",
+        ),
+        "the position": (
+            [1, 1, 0, 0, 0],
+            "The other way round: east and north are only added to. A metre is carried on alike in either book.",
+        ),
+        "position and heading": (
+            [1, 1, 1, 0, 0],
+            "ψ must, east and north need not: they are only added to. And one more stands in F: look at what multiplies d.",
+        ),
+        "all but the bias": (
+            [1, 1, 1, 0, 1],
+            "Enough, but two too many: east and north are only added to, and stand nowhere in F.",
+        ),
+    },
+)
+def goes_back():
+    """1 for each of [east, north, ψ, b, s] that must be fed back for the closed loop's answer, 0 for the others."""
+    return np.array([0, 0, 1, 0, 1])
+
+
+def fixes(rng):
+    """An INS state of four, its error state, a gain and a fix."""
+    x, dx = rng.integers(-20, 20, 4) / 2, rng.integers(1, 9, 4) / 4
+    return x.astype(float), dx, rng.integers(1, 9, (4, 2)) / 10, x[:2] + rng.integers(1, 9, 2) / 2 + dx[:2]
+
+
+def updated(x, dx, K, fix):
+    """The error state after the fix."""
+    return dx + K @ (fix - x[:2] - dx[:2])
+
+
+@exercise(
+    hints=[
+        "The line for dx is right. What is missing comes after it: who tells the INS?",
+        "First correct dx as published. Then add it to x. And what is left of the error that x has lost?",
+        "`dx = dx + K @ (fix - x[:2] - dx[:2])`, then `return x + dx, 0 * dx`.",
+    ],
+    inputs=fixes,
+    wrong={
+        "as published": (
+            lambda x, dx, K, fix: (x, updated(x, dx, K, fix)),
+            "That is the open loop again: x never hears of dx, and the tangents are drawn further and further from the road.",
+        ),
+        "told twice": (
+            lambda x, dx, K, fix: (x + updated(x, dx, K, fix), updated(x, dx, K, fix)),
+            "The INS is right now. But dx still holds what x has been told already: the next fix would be corrected twice. Set it to zero.",
+        ),
+        "the old error fed back": (
+            lambda x, dx, K, fix: (x + dx, 0 * dx),
+            "You fed back the error state from before the fix: correct dx first, then add it.",
+        ),
+        "the old error forgotten": (
+            lambda x, dx, K, fix: (x + K @ (fix - x[:2] - dx[:2]), 0 * dx),
+            "You fed back only what this fix brought, and threw away what dx held before. Add the whole dx.",
+        ),
+        "innovation without dx": (
+            lambda x, dx, K, fix: (x + dx + K @ (fix - x[:2]), 0 * dx),
+            "The innovation compares the fix with x alone. What dx already explains is no news: subtract dx[:2] as well.",
+        ),
+        "fed back before the gain, and again": (
+            lambda x, dx, K, fix: (x + dx + updated(x, dx, K, fix), 0 * dx),
+            "You added dx before and after the fix: the corrected dx holds the old one already.",
+        ),
+        "wrong sign": (
+            lambda x, dx, K, fix: (x - updated(x, dx, K, fix), 0 * dx),
+            "The sign: here dx is truth minus INS, so it is added to the INS.",
+        ),
+        "reset without telling": (
+            lambda x, dx, K, fix: (x, 0 * dx),
+            "The error state is zero, but nobody has told x what it was: the fix is lost.",
+        ),
+        "only the position": (
+            lambda x, dx, K, fix: (x + np.append(updated(x, dx, K, fix)[:2], 0 * x[2:]), 0 * dx),
+            "The position was told and the rest thrown away. Add the whole of dx: heading and faults are what bends.",
+        ),
+        "the output only": (
+            lambda x, dx, K, fix: x + updated(x, dx, K, fix),
+            "That is the output, and it is right; but two books go on from here: return the INS's state and the error state.",
+        ),
+    },
+)
+def mended_fix(x, dx, K, fix):
+    """The INS's state and the error state after a fix, with feedback."""
+    dx = dx + K @ (fix - x[:2] - dx[:2])
+    return x + dx, 0 * dx
