@@ -5,7 +5,7 @@ filters take a model, measurements (..., T, m) and an initial belief and return 
 leading axes: a thousand runs are one call.
 """
 
-from . import homing, navigation, scenarios, video
+from . import homing, navigation, recordings, scenarios, video
 from .adaptive import adaptive_kalman_filter
 from .angles import angle_difference, circular_mean, wrap
 from .consider import schmidt_kalman_filter
@@ -33,6 +33,7 @@ from .models import (
     singer,
 )
 from .multiple_models import imm_filter, mmae_filter
+from .report import report_card
 from .simulation import simulate
 from .smoothing import rts_smoother, two_filter_smoother
 from .square_root import square_root_kalman_filter
@@ -64,6 +65,8 @@ __all__ = [
     "numerical_jacobian",
     "predict",
     "random_walk",
+    "recordings",
+    "report_card",
     "rmse",
     "rts_smoother",
     "scenarios",
