@@ -91,24 +91,25 @@ def test_figures_over_many_runs():
 
 
 def test_wrong_start_velocities():
-    """ERRATA 41: the start velocities of all runs use the first sample of one run; r = 3 … 19 pooled 89.90 → 95.98 m.
+    """ERRATA 41: all runs start with the velocity of one run; r = 3 … 19 pooled 89.90 → 95.98 m.
 
-    What it costs depends on that run, and the published one was unlucky: here each of twenty takes its turn, and on
-    average nothing is lost.
+    What it costs depends on that run: here each of twenty takes its turn.
     """
     data = SCENE.simulate(runs=400, rng=1)
     right = two_point_start(data.z)
     means = np.repeat(right.mean[None], 20, axis=0)
-    means[..., [1, 3]] = (data.z[:, 1] - data.z[:20, None, 0]) / T
+    means[..., [1, 3]] = right.mean[:20, None, [1, 3]]
     x = data.x[:, 2:19, :4]
     errors = [
         rms(kalman_filter(SCENE.models[0], data.z[:, 2:19], Gaussian(mean, right.cov)).mean, x)
         for mean in (right.mean, means)
     ]
     pooled = [np.sqrt(np.mean(found**2, axis=-1)) for found in errors]
-    assert abs(pooled[0] - 89.90) < 2 * errors[0].std() * np.sqrt(1 / 400 + 1 / 50)
-    assert pooled[1].max() > pooled[0] + 2
-    assert abs(pooled[1].mean() - pooled[0]) < 2
+    spread = errors[0].std() * np.sqrt(1 / 400 + 1 / 50)
+    assert abs(pooled[0] - 89.90) < 2 * spread
+    assert abs(pooled[1].mean() - 95.98) < 2 * np.hypot(spread, pooled[1].std())
+    assert np.mean(pooled[1] > pooled[0]) > 0.8
+    assert pooled[1].mean() > pooled[0] + 2
 
 
 def bank(rng, M=3):
