@@ -10,11 +10,11 @@ from .filtering import _correct, _predict
 from .gaussian import Gaussian, trusted
 from .models import LinearModel
 from .moments import linearize
-from .results import scores, settled
+from .results import Filtered, scores, settled
 
 
 @dataclass(frozen=True, eq=False)
-class MultipleModelTrack:
+class MultipleModelTrack(Filtered):
     """The joint belief of M models along time, and what each of them believes.
 
     filtered: Gaussian with mean (..., T, n) and cov (..., T, n, n), the mean and covariance of the mixture.
@@ -22,30 +22,14 @@ class MultipleModelTrack:
     the coordinates of the whole state. log_likelihood: of the whole series, (...).
     """
 
-    filtered: Gaussian
     mode_probabilities: np.ndarray
     modes: Gaussian = field(repr=False)
     log_likelihood: np.ndarray = field(repr=False)
 
     def __post_init__(self):
-        settled(self.filtered)
+        super().__post_init__()
         settled(self.modes)
         self.mode_probabilities.flags.writeable = False
-
-    @property
-    def mean(self):
-        """Short for filtered.mean."""
-        return self.filtered.mean
-
-    @property
-    def cov(self):
-        """Short for filtered.cov."""
-        return self.filtered.cov
-
-    @property
-    def std(self):
-        """Short for filtered.std, (..., T, n)."""
-        return self.filtered.std
 
 
 def imm_filter(models, z, initial, transition, mode_probabilities, u=None, states=None, through=linearize):

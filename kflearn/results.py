@@ -11,28 +11,12 @@ from .gaussian import Gaussian, tidy
 
 
 @dataclass(frozen=True, eq=False)
-class Track:
-    """The beliefs of one run or of many, along time.
-
-    filtered: Gaussian with mean (..., T, n) and cov (..., T, n, n), after each measurement.
-    gain: (..., T, n, m), zero in the columns of what was not measured.
-    predicted: Gaussian of the same shapes, before each measurement.
-    innovation: Gaussian with mean z − ẑ (..., T, m), NaN where nothing was measured, and cov S (..., T, m, m).
-    Where covariances and gains do not depend on the data they carry no batch axes: one sequence serves all runs.
-    `predicted` and `innovation` are worked out when first asked for; so are `nis` and `log_likelihood`.
-    u, through: the control inputs (..., T, p) or None, and how the filter pushed its beliefs through the model (see
-    `moments`; None where no smoother may follow).
-    """
+class Filtered:
+    """Beliefs after each measurement: a Gaussian with mean (..., T, n) and cov (..., T, n, n), read-only."""
 
     filtered: Gaussian
-    gain: np.ndarray = field(repr=False)
-    _predicted: Callable[[], Gaussian] = field(repr=False)
-    _innovation: Callable[[], Gaussian] = field(repr=False)
-    u: np.ndarray | None = field(default=None, repr=False)
-    through: Callable | None = field(default=None, repr=False)
 
     def __post_init__(self):
-        self.gain.flags.writeable = False
         settled(self.filtered)
 
     @property
@@ -49,6 +33,31 @@ class Track:
     def std(self):
         """Short for filtered.std, (..., T, n)."""
         return self.filtered.std
+
+
+@dataclass(frozen=True, eq=False)
+class Track(Filtered):
+    """The beliefs of one run or of many, along time.
+
+    filtered: Gaussian with mean (..., T, n) and cov (..., T, n, n), after each measurement.
+    gain: (..., T, n, m), zero in the columns of what was not measured.
+    predicted: Gaussian of the same shapes, before each measurement.
+    innovation: Gaussian with mean z − ẑ (..., T, m), NaN where nothing was measured, and cov S (..., T, m, m).
+    Where covariances and gains do not depend on the data they carry no batch axes: one sequence serves all runs.
+    `predicted` and `innovation` are worked out when first asked for; so are `nis` and `log_likelihood`.
+    u, through: the control inputs (..., T, p) or None, and how the filter pushed its beliefs through the model (see
+    `moments`; None where no smoother may follow).
+    """
+
+    gain: np.ndarray = field(repr=False)
+    _predicted: Callable[[], Gaussian] = field(repr=False)
+    _innovation: Callable[[], Gaussian] = field(repr=False)
+    u: np.ndarray | None = field(default=None, repr=False)
+    through: Callable | None = field(default=None, repr=False)
+
+    def __post_init__(self):
+        super().__post_init__()
+        self.gain.flags.writeable = False
 
     @cached_property
     def predicted(self):

@@ -12,7 +12,9 @@ import kflearn.exercises
 from kflearn.exercises.engine import exercises_of
 
 FOUND = [module.name for module in iter_modules(kflearn.exercises.__path__)]
-LESSONS = [name for name in FOUND if name != "engine" and not name.startswith("_")]  # a module of exercises a lesson
+LESSONS = [
+    name for name in FOUND if name not in ("engine", "progress") and not name.startswith("_")
+]  # a module of exercises a lesson
 EXERCISES = [each for name in LESSONS for each in exercises_of(import_module(f"kflearn.exercises.{name}"))]
 NOTEBOOKS = sorted((Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
 IMPORT = re.compile(r"^from kflearn\.exercises import (\w+)(?: as (\w+))?[ \t]*$", re.MULTILINE)
