@@ -1,22 +1,36 @@
-# The course's commands. `make course` and `make test` prepare their own environment in .venv the first time.
+# The course's commands. They prepare their own environment in .venv the first time; what only teachers, the web page and
+# the tests need is added when one of these is asked for.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
+TEACHERS := $(VENV)/teachers
 
-.PHONY: course test notebooks lint bench browser clean
+.PHONY: course test notebooks site assignment slides load lint bench browser clean
 
 course: $(READY)          ## open the course in JupyterLab
 	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab notebooks/00-start-here.ipynb
 
-test: $(READY) $(if $(CI),browser)          ## lint, unit tests, lessons, browser
+test: $(TEACHERS) $(if $(CI),browser)          ## lint, unit tests, lessons, browser
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m pytest -n 2
 
 notebooks: $(READY)       ## execute every lesson again, in place
 	$(BIN)/python tools/notebooks.py
+
+site: $(TEACHERS)         ## the course as a web page, in build/site
+	$(BIN)/python tools/site.py
+
+assignment: $(TEACHERS)      ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
+	$(BIN)/python tools/assignment.py $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")
+
+slides: $(TEACHERS)          ## slides of LESSON=04, in build/slides
+	$(BIN)/python tools/slides.py $(or $(LESSON),04)
+
+load: $(TEACHERS)         ## a class of KERNELS=30 on this machine: memory, and time from slider to picture
+	$(BIN)/python tools/load.py $(KERNELS)
 
 lint: $(READY)
 	$(BIN)/ruff check --fix .
@@ -36,6 +50,10 @@ $(READY): requirements.txt pyproject.toml
 	$(BIN)/python -m pip install --quiet --requirement requirements.txt
 	$(BIN)/python -m pip install --quiet --no-deps --editable .
 	touch $(READY)
+
+$(TEACHERS): requirements-teachers.txt $(READY)
+	$(BIN)/python -m pip install --quiet --requirement requirements-teachers.txt
+	touch $(TEACHERS)
 
 clean:
 	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .hypothesis

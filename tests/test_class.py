@@ -1,0 +1,363 @@
+"""The teacher's side: assignments, slides, the class server, the load of a class, the guide, the conda environment."""
+
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from importlib.util import find_spec
+from pathlib import Path
+
+import nbformat
+import pytest
+import yaml
+
+ROOT = Path(__file__).parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+from assignment import assignment  # noqa: E402
+
+LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+GUIDE = (ROOT / "notebooks" / "teaching-guide.md").read_text(encoding="utf-8")
+needs_nbgrader = pytest.mark.skipif(not find_spec("nbgrader"), reason="nbgrader is not installed")
+needs_jupyterhub = pytest.mark.skipif(not find_spec("jupyterhub"), reason="jupyterhub is not installed")
+
+
+def run(*command, **environment):
+    """Run a command in the environment of the tests; what it printed."""
+    done = subprocess.run(
+        [sys.executable, *map(str, command)],
+        cwd=ROOT,
+        env=os.environ | environment,
+        capture_output=True,
+        text=True,
+        timeout=110,
+    )
+    assert done.returncode == 0, done.stderr + done.stdout
+    return done.stdout
+
+
+# ---- assignments
+
+
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_the_exercises_of_every_lesson_become_an_assignment(path):
+    lesson = nbformat.read(path, as_version=4).cells
+    start = next(i for i, cell in enumerate(lesson) if "## Exercises" in cell.source)
+    asked = re.findall(r"exercises\.(\w+)\.check\(", "\n".join(cell.source for cell in lesson[start:]))
+    notebook = assignment(path)
+    nbformat.validate(notebook)
+    marks = [cell.metadata["nbgrader"] for cell in notebook.cells if "nbgrader" in cell.metadata]
+    assert [mark["grade_id"] for mark in marks if mark["solution"]] == asked
+    assert [mark["grade_id"] for mark in marks if mark["grade"]] == [f"points-{name}" for name in asked]
+    assert all(mark["points"] == 1 and mark["locked"] for mark in marks if mark["grade"])
+    assert len({mark["grade_id"] for mark in marks}) == len(marks)
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            compile(cell.source, path.name, "exec")
+            assert not re.search(r"\banswer\b", cell.source), "an answer that two exercises would share"
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory):
+    """Lesson 4 as an assignment: the nbgrader course's folder."""
+    folder = tmp_path_factory.mktemp("course")
+    run("tools/assignment.py", "04", "--out", folder, "--seconds", "6")
+    return folder
+
+
+def cells(folder, version):
+    file = folder / version / "lessons-04" / "04-gaussian-fusion.ipynb"
+    return {cell.metadata.get("nbgrader", {}).get("grade_id"): cell for cell in nbformat.read(file, as_version=4).cells}
+
+
+@needs_nbgrader
+def test_the_learners_version_has_no_solutions(course):
+    teachers, learners = cells(course, "source"), cells(course, "release")
+    assert learners.keys() == teachers.keys()
+    assert "return solved(" in teachers["fuse"].source
+    assert "SOLUTION" not in str(learners) and "solved" not in str(learners)
+    assert learners["third_opinion"].source.strip() == "answer_third_opinion = ..."
+    assert learners["fuse"].source.rstrip().endswith("# your lines in place of the dots\n    ...")
+    for name in ("points-fuse", "given-0"):  # what must not be changed
+        assert not learners[name].metadata.editable and not learners[name].metadata.deletable
+
+
+def hand_in(course, folder, learner, answers):
+    """A learner's notebook: the release with some cells written anew."""
+    name = "04-gaussian-fusion.ipynb"
+    notebook = nbformat.read(course / "release" / "lessons-04" / name, as_version=4)
+    for cell in notebook.cells:
+        cell.source = answers.get(cell.metadata.get("nbgrader", {}).get("grade_id"), cell.source)
+    (folder / learner).mkdir()
+    nbformat.write(notebook, folder / learner / name)
+
+
+@needs_nbgrader
+def test_the_whole_circle_for_a_class_of_three(course, tmp_path):
+    from kflearn.exercises import gaussian_fusion as exercises
+
+    asked = ["third_opinion", "fuse", "readings_needed", "published_claim"]
+    right = {name: cell.source for name, cell in cells(course, "source").items() if name in asked}
+    hand_in(course, tmp_path, "ada", right)
+    wrong = {
+        "third_opinion": f"answer_third_opinion = {exercises.third_opinion.wrong['halfway'][0]}",
+        "fuse": "def fuse(mx, vx, mz, vz):\n    return mx + vx / (vx + vz) * (mz - mx), vx + vz",
+        "points-fuse": "1",  # whoever writes the point into the locked cell does not have it
+    }
+    hand_in(course, tmp_path, "ben", right | wrong)
+    crashing = {
+        "third_opinion": "raise RuntimeError('lost')",
+        "fuse": "def fuse(mx, vx, mz, vz)\n    return mx",
+        "readings_needed": "while True:\n    pass",
+    }
+    hand_in(course, tmp_path, "cem", right | crashing)
+    progress = tmp_path / "progress.json"
+    command = ["tools/assignment.py", "04", "--out", course, "--grade", tmp_path]
+    printed = run(*command, KFLEARN_PROGRESS=str(progress))
+
+    with open(course / "points.csv", encoding="utf-8", newline="") as file:
+        assert list(csv.reader(file)) == [
+            ["learner", *(f"04 {name}" for name in asked), "sum"],
+            ["ada", "1", "1", "1", "1", "4"],
+            ["ben", "0", "0", "1", "1", "2"],
+            ["cem", "0", "0", "0", "1", "1"],
+        ]
+    with open(course / "answers.csv", encoding="utf-8", newline="") as file:
+        said = {(row["learner"], row["exercise"]): row["said"] for row in csv.DictReader(file)}
+    assert said["ada", "fuse"].startswith("✓ Right.")
+    assert exercises.third_opinion.wrong["halfway"][1] in said["ben", "third_opinion"]
+    assert exercises.fuse.wrong["variances added"][1] in said["ben", "fuse"]
+    assert said["cem", "third_opinion"] == "The cell stopped with RuntimeError: lost"
+    assert said["cem", "fuse"].startswith("The cell stopped with SyntaxError")
+    assert said["cem", "readings_needed"] == "The cell stopped at the time limit."
+    assert re.search(r"^ben +0 +0 +1 +1 +2/4$", printed, re.MULTILINE)
+    assert "04.2 fuse: 1 of 3 right" in printed
+    assert not progress.exists(), "grading is not the teacher's own progress"
+
+
+# ---- slides and load
+
+
+def test_slides_are_built(tmp_path):
+    printed = run("tools/slides.py", "04", "--out", tmp_path)
+    page = (tmp_path / "04.slides.html").read_text(encoding="utf-8")
+    assert "<title>4 · Two opinions, one belief</title>" in page
+    assert 15 <= page.count("<section") <= 60
+    assert page.count("data:image/png") + page.count("image/png;base64") >= 6
+    assert "third_opinion" not in page, "the exercises stay in the notebook"
+    if "complete in itself" in printed:
+        assert not re.search(r'(src|href)="https?:', page)
+        assert "<math" in page and "Reveal.initialize" in page
+    else:
+        assert "needs a network" in printed
+
+
+def test_a_class_of_three_moves_its_sliders():
+    printed = run("tools/load.py", "3", "--lesson", "04", "--moves", "6", "--pause", "0.2")
+    assert "3 kernels, lesson 04-gaussian-fusion" in printed
+    size = re.search(r"memory of a kernel +RSS +(\d+) MB", printed)
+    assert 50 < int(size[1]) < 500
+    for name in ("at work", "all at once"):
+        half, most, moves = map(int, re.search(rf"{name} +(\d+) ms +(\d+) ms +(\d+)", printed).groups())
+        assert 0 < half <= most < 10_000
+        assert moves >= 12
+
+
+# ---- the class server
+
+LOAD = """
+import getpass, json, os, subprocess, sys
+from traitlets.config import PyFileConfigLoader
+from jupyterhub import auth, proxy, spawner
+from jupyterhub.app import JupyterHub
+
+config = PyFileConfigLoader("jupyterhub_config.py", path="class").load_config()
+where = {"JupyterHub": JupyterHub}
+for module in (auth, proxy, spawner):
+    where |= {name: thing for name, thing in vars(module).items() if isinstance(thing, type)}
+unknown = [f"{part}.{name}" for part in config for name in config[part] if name not in where[part].class_traits()]
+hub = JupyterHub(config=config)
+one = hub.spawner_class(config=config)
+show = "import os, resource; print(resource.getrlimit(resource.RLIMIT_DATA)[0], os.umask(0))"
+become = one.make_preexec_fn(getpass.getuser())
+limits = subprocess.run([sys.executable, "-c", show], preexec_fn=become, capture_output=True, text=True).stdout.split()
+del os.environ["CLASS_REPOSITORY"]
+os.environ["CLASS_LEARNERS"] = "none"
+bare = PyFileConfigLoader("jupyterhub_config.py", path="class").load_config()
+found = dict(
+    bare=[len(bare.Authenticator.allowed_users), bare.Authenticator.allow_all, bare.Spawner.default_url],
+    unknown=unknown, bind=hub.bind_url, authenticator=hub.authenticator_class.__name__, limits=limits,
+    all=config.Authenticator.allow_all, allowed=sorted(config.Authenticator.allowed_users),
+    accounts=config.LocalAuthenticator.create_system_users, spawner=hub.spawner_class.__mro__[1].__name__,
+    home=one.notebook_dir, memory=one.mem_limit, args=one.args, url=one.default_url, env=one.environment,
+)
+print(json.dumps(found))
+"""
+
+
+@needs_jupyterhub
+@pytest.mark.skipif(sys.platform != "linux", reason="the class server is for Linux")
+def test_the_configuration_of_one_machine(tmp_path):
+    (tmp_path / "learners.txt").write_text("ada\nben\n\n# a remark\n", encoding="utf-8")
+    settings = dict(
+        CLASS_STATE=str(tmp_path / "state"),
+        CLASS_LEARNERS=str(tmp_path / "learners.txt"),
+        CLASS_REPOSITORY="https://example.org/course.git",
+    )
+    found = json.loads(run("-c", LOAD, **settings))
+    assert found["unknown"] == []
+    assert found["bind"].startswith("http://127.0.0.1:8000")
+    assert found["authenticator"] == "PAMAuthenticator" and found["spawner"] == "LocalProcessSpawner"
+    assert not found["all"] and not found["accounts"] and found["allowed"] == ["ada", "ben"]
+    assert found["home"] == "~" and found["memory"] == 2**30
+    assert found["limits"] == [str(2**30), str(0o077)]
+    assert "--MappingKernelManager.cull_idle_timeout=1800" in found["args"]
+    assert "--ServerApp.shutdown_no_activity_timeout=3600" in found["args"]
+    assert found["url"].startswith("/git-pull?repo=https%3A%2F%2Fexample.org%2Fcourse.git&branch=main")
+    assert found["url"].endswith("urlpath=lab%2Ftree%2Fkalman%2Fnotebooks%2F00-start-here.ipynb")
+    assert Path(found["env"]["JUPYTER_CONFIG_PATH"], "jupyter_server_config.py").exists()
+    assert (tmp_path / "state").stat().st_mode & 0o077 == 0
+    assert found["bare"] == [0, False, "/lab"], "without a list nobody may sign in"
+
+
+def test_the_configuration_is_python_and_says_its_settings():
+    source = (ROOT / "class" / "jupyterhub_config.py").read_text(encoding="utf-8")
+    compile(source, "jupyterhub_config.py", "exec")
+    head, _, code = source.partition('"""\n\nimport')
+    assert set(re.findall(r"CLASS_[A-Z]+", head)) == set(re.findall(r"CLASS_[A-Z]+", code))
+
+
+def test_the_chart_values():
+    values = yaml.safe_load((ROOT / "class" / "values.yaml").read_text(encoding="utf-8"))
+    config, user = values["hub"]["config"], values["singleuser"]
+    assert config["Authenticator"]["allow_all"] is False and config["NativeAuthenticator"]["open_signup"] is False
+    assert config["JupyterHub"]["authenticator_class"] != "dummy"
+    assert values["proxy"]["service"]["type"] == "ClusterIP"
+    assert user["memory"] == {"guarantee": "384M", "limit": "1G"}
+    assert "gitpuller REPOSITORY main" in user["lifecycleHooks"]["postStart"]["exec"]["command"][-1]
+    assert user["defaultUrl"].endswith("/kalman/notebooks/00-start-here.ipynb")
+    assert values["cull"]["enabled"] and values["cull"]["timeout"] == 3600
+    environment = user["extraEnv"]
+    assert all(isinstance(value, str) for value in environment.values())
+
+
+# ---- Binder and conda
+
+
+def conda_packages():
+    """What environment.yml asks for, in pip's words: (requirements, Python's version)."""
+    asked = yaml.safe_load((ROOT / "environment.yml").read_text(encoding="utf-8"))["dependencies"]
+    by_pip = next(each["pip"] for each in asked if isinstance(each, dict))
+    plain = [each.replace("matplotlib-base", "matplotlib") for each in asked if isinstance(each, str)]
+    python = next(each for each in plain if each.startswith("python="))
+    packages = [each for each in plain if each not in (python, "pip")]
+    return sorted(packages + [each for each in by_pip if each != "--editable ."]), python.partition("=")[2]
+
+
+def test_conda_and_pip_get_the_same_packages():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    packages, python = conda_packages()
+    assert packages == sorted(project["dependencies"])
+    assert tuple(map(int, python.split("."))) >= tuple(map(int, project["requires-python"].strip(">=").split(".")))
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.skipif("KFLEARN_BUILD" not in os.environ, reason="builds a new environment: set KFLEARN_BUILD=1")
+def test_the_packages_of_environment_yml_run_a_lesson(tmp_path):
+    """A real build of the same packages, by pip: without conda this is as near as one comes."""
+    copy, python = tmp_path / "course", tmp_path / "env" / "bin" / "python"
+    ignored = shutil.ignore_patterns(".*", "build", "*.egg-info", "__pycache__")
+    shutil.copytree(ROOT, copy, ignore=ignored)
+    packages, _ = conda_packages()
+    for command in (
+        [sys.executable, "-m", "venv", tmp_path / "env"],
+        [python, "-m", "pip", "install", "--quiet", *packages],
+        [python, "-m", "pip", "install", "--quiet", "--no-deps", "--editable", copy],
+        [python, "-m", "pip", "check"],
+        [python, "tools/notebooks.py", "notebooks/04-gaussian-fusion.ipynb"],
+    ):
+        subprocess.run(list(map(str, command)), cwd=copy, check=True)
+    printed = [
+        [output.text for cell in nbformat.read(root / "notebooks/04-gaussian-fusion.ipynb", as_version=4).cells
+         for output in cell.get("outputs", []) if output.output_type == "stream"]
+        for root in (copy, ROOT)
+    ]  # fmt: skip
+    assert printed[0] == printed[1]
+
+
+# ---- the guide
+
+
+def times():
+    """{lesson: minutes}, as the lessons say themselves."""
+    return {
+        path.name: int(re.search(r"\*Time\*: (\d+) minutes", path.read_text(encoding="utf-8"))[1]) for path in LESSONS
+    }
+
+
+def part(heading):
+    """A section of the guide, from its heading to the next one of any size."""
+    return re.search(rf"^#+ {re.escape(heading)}.*?(?=^#+ |\Z)", GUIDE, re.MULTILINE | re.DOTALL)[0]
+
+
+def rows(heading):
+    """The rows of the table in a section, without its head."""
+    lines = [line for line in part(heading).splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:]]
+
+
+def lesson_in(cell):
+    found = re.search(r"\]\((\d\d-[\w-]+\.ipynb)\)", cell)
+    return found and found[1]
+
+
+def test_the_guide_tells_every_lesson_and_its_minutes():
+    minutes = times()
+    told = re.findall(r"\]\((\d\d-[\w-]+\.ipynb)\) (?:·|\|) (\d+)", GUIDE)
+    assert {name for name, _ in told} == set(minutes)
+    assert [(name, int(number)) for name, number in told] == [(name, minutes[name]) for name, _ in told]
+    for path in LESSONS:
+        title = nbformat.read(path, as_version=4).cells[0].source.splitlines()[0].removeprefix("# ")
+        section = part(f"[{title}]({path.name})")
+        assert "**Ask.**" in section and "?" in section
+        assert section.partition("**You will hear.**")[2].count("\n- ") >= 2
+
+
+def test_the_guides_links_lead_somewhere():
+    for link in re.findall(r"\]\(([^)\s]+)\)", GUIDE):
+        assert (ROOT / "notebooks" / link).exists(), link
+    for target in set(re.findall(r"(?:^|`)make (\w+)", GUIDE, re.MULTILINE)):
+        assert re.search(rf"^{target}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE), target
+
+
+def test_the_route_of_90_minutes():
+    *lessons, together = rows("90 minutes")
+    assert sum(int(row[1]) for row in lessons) == int(together[1]) == 90
+
+
+def test_the_route_of_one_day():
+    def clock(text):
+        hours, minutes = map(int, text.split(":"))
+        return 60 * hours + minutes
+
+    *steps, end = rows("One day")
+    for step, following in zip(steps, [*steps[1:], end], strict=True):
+        assert clock(step[0]) + int(step[2]) == clock(following[0])
+    assert sum(int(step[2]) for step in steps) == int(end[2]) == clock(end[0]) - clock(steps[0][0])
+    assert f"From {steps[0][0]} to {end[0]}" in part("One day")
+
+
+def test_the_route_of_a_semester():
+    *weeks, sums = rows("A semester")
+    sessions = [session for week in weeks for session in ((week[1], int(week[2])), (week[3], int(week[4])))]
+    assert [int(week[0]) for week in weeks] == list(range(1, 15)) and all(minutes <= 75 for _, minutes in sessions)
+    held = [lesson_in(name) for name, _ in sessions if lesson_in(name)]
+    assert held == [path.name for path in LESSONS], "every lesson once, in order"
+    lessons = sum(minutes for name, minutes in sessions if lesson_in(name))
+    others = sum(minutes for name, minutes in sessions if not lesson_in(name))
+    assert (int(sums[2]), int(sums[4])) == (lessons, others)
+    text = " ".join(part("A semester").split())
+    assert f"lessons take {lessons:,}, the other sessions {others}. The {2100 - lessons - others} that are left" in text

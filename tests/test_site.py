@@ -1,0 +1,307 @@
+"""The web page of the course: built from two lessons, read as files, then used in a real browser."""
+
+import importlib.util
+import json
+import re
+import subprocess
+import sys
+import threading
+from functools import partial
+from html.parser import HTMLParser
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from urllib.parse import unquote, urlsplit
+
+import numpy as np
+import pytest
+from lab import CHROMIUM, ROOT, browser
+
+from kflearn.controls import choice, log_slider, slider
+from kflearn.playground import Playground
+
+sys.path.append(str(ROOT / "tools"))
+import frames
+
+NEEDS = "sphinx", "myst_nb", "furo", "math_core", "ziamath"
+pytestmark = pytest.mark.timeout(300)  # half a minute on an idle machine; less when the pictures are in build/frames
+LESSONS = "04-gaussian-fusion.html", "05-voltmeter.html"
+
+
+# ---- the pictures of a playground
+
+
+def make(**controls):
+    def draw(fig):
+        return fig.subplots().plot([0, 1], [0, 1])[0]
+
+    def update(line, **values):
+        numbers = [len(value) if isinstance(value, str) else value for value in values.values()]
+        line.set_ydata([0, sum(number * 0.1**i for i, number in enumerate(numbers))])
+        return str(values)
+
+    return Playground(draw, update, size=(2, 1), **controls)
+
+
+def test_two_sliders_move_together():
+    page, pictures = frames.film(make(a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1)), 121)
+    assert page["together"]
+    assert len(page["frames"]) == 121
+    assert 100 < len(pictures) <= 121
+    assert page["frames"]["0,10"][1] == "{'a': 0.0, 'b': 10.0}"
+    assert page["controls"][1]["texts"][0] == "0.1"
+    assert page["controls"][0]["texts"][page["start"][0]] == "0.3"
+
+
+def test_many_sliders_move_one_at_a_time_and_buttons_with_each():
+    playground = make(a=slider(0, 9, 2), b=slider(0, 5, 5), c=slider(0.0, 1.0, 0.5), d=choice(["x", "yy"]))
+    page, _ = frames.film(playground, 61)
+    assert not page["together"]
+    places = [tuple(map(int, key.split(","))) for key in page["frames"]]
+    away = [sum(place != start for place, start in zip(p[:3], page["start"], strict=False)) for p in places]
+    assert max(away) == 1
+    assert {p[3] for p in places} == {0, 1}
+    assert 50 <= len(places) <= 61
+
+
+@pytest.mark.parametrize(
+    "control", [slider(1, 15, 1, step=2), slider(0.25, 2.5, 0.5, step=0.25), log_slider(1e-6, 1, 1e-4), slider(0, 1, 1)]
+)
+def test_places_of_a_slider_are_its_own(control):
+    values = frames.spread(control, 7)
+    assert {control.low, control.start, control.high} <= set(values)
+    assert values == sorted(set(values))
+    assert all(isinstance(value, control.number) for value in values)
+    if not control.log:
+        steps = (np.array(values) - control.low) / control.step
+        assert np.allclose(steps, np.round(steps))
+
+
+def test_too_many_bytes_make_fewer_pictures(tmp_path, monkeypatch):
+    playground = make(a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1))
+    _, pictures = frames.film(playground, 121)
+    monkeypatch.setattr(frames, "BYTES", sum(map(len, pictures)) // 2)
+    frames.record(playground, tmp_path / "0")
+    assert 30 < len(list(tmp_path.glob("0/*.webp"))) < 61
+    assert playground.values == {"a": 0.3, "b": 1}
+
+
+# ---- the pages as files
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """The folder of a page of two lessons. Its build is silent: Sphinx had nothing to warn of."""
+    if missing := [name for name in NEEDS if not importlib.util.find_spec(name)]:
+        pytest.skip(f"{', '.join(missing)} not installed")
+    out = tmp_path_factory.mktemp("site") / "site"
+    command = [sys.executable, "tools/site.py", "--only", "04,05", "--out", str(out)]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert "WARNING: " not in done.stderr.replace("[IPKernelApp] WARNING", "")
+    return out
+
+
+class Page(HTMLParser):
+    """What an HTML file refers to: `.links` that one follows, `.parts` that are loaded; `.ids`; `.images`."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.parts, self.ids, self.images = [], [], set(), []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.ids.add(attributes.get("id"))
+        if tag == "a" and "href" in attributes:
+            self.links.append(attributes["href"])
+        if tag in ("link", "use") and "href" in attributes:
+            self.parts.append(attributes["href"])
+        if "src" in attributes:
+            self.parts.append(attributes["src"])
+        if tag == "img":
+            self.images.append(attributes)
+
+
+@pytest.fixture(scope="module")
+def pages(site):
+    return {path.name: Page(path) for path in site.glob("*.html")}
+
+
+def test_everything_referred_to_is_there(site, pages):
+    assert set(pages) >= {"index.html", *LESSONS}
+    for name, page in pages.items():
+        for link in page.links + page.parts:
+            where = urlsplit(link)
+            if not where.scheme:
+                target = unquote(where.path) or name
+                assert (site / target).is_file(), f"{name} refers to {link}"
+                if where.fragment and target.endswith(".html"):
+                    assert where.fragment in pages[target].ids, f"{name} refers to {link}"
+
+
+def test_nothing_is_loaded_from_elsewhere(site, pages):
+    for name, page in pages.items():
+        for part in page.parts:
+            assert not urlsplit(part).scheme and not part.startswith("//"), f"{name} loads {part}"
+    for style in site.rglob("*.css"):
+        text = style.read_text(encoding="utf-8")
+        for address in re.findall(r"url\(([^)]*)\)|@import\s+([^;]*);", text):
+            assert not re.match(r"""["']?(https?:)?//""", "".join(address)), f"{style.name} loads {address}"
+
+
+def test_pictures_have_words(pages):
+    for name in LESSONS:
+        assert len(pages[name].images) >= 4
+        for image in pages[name].images:
+            assert len(image.get("alt", "")) > 20, f"{name}: {image}"
+
+
+def test_playgrounds_are_small(site):
+    folders = {path.parent for path in site.glob("_static/frames/*/*/*.webp")}
+    assert len(folders) == 2
+    for folder in folders:
+        assert sum(path.stat().st_size for path in folder.iterdir()) <= 2_000_000
+
+
+def test_formulas_and_references(site, pages):
+    text = (site / LESSONS[0]).read_text(encoding="utf-8")
+    assert text.count("<math") > 5
+    assert not re.search(r"\$\$|\\frac", text)
+    assert {"eq-10", "eq-14"} <= pages[LESSONS[0]].ids
+    assert "#eq-12" in pages[LESSONS[0]].links
+    assert LESSONS[0] in pages[LESSONS[1]].links
+
+
+def test_the_words_can_be_searched(site):
+    index = (site / "searchindex.js").read_text(encoding="utf-8")
+    assert "innov" in index and "voltmet" in index
+
+
+# ---- the pages in a browser
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    """Where a server shows the page."""
+
+    class Quiet(SimpleHTTPRequestHandler):
+        def log_message(self, *args):
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(site))) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+        thread.join()
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    if not CHROMIUM:
+        pytest.skip("no chromium, chromium-browser or google-chrome on the PATH")
+    with browser() as chromium:
+        yield chromium
+
+
+@pytest.fixture
+def tab(chromium, address):
+    """Opens a page in a window of some width; fails afterwards if anything went wrong in the browser."""
+    troubles, tabs = [], []
+
+    def go(name, width=1280, **options):
+        tab = chromium.new_page(viewport={"width": width, "height": 850}, **options)
+        tabs.append(tab)
+        tab.on("console", lambda message: troubles.append(message.text) if message.type == "error" else None)
+        tab.on("pageerror", lambda error: troubles.append(str(error)))
+        tab.on("response", lambda response: troubles.append(response.url) if response.status >= 400 else None)
+        tab.on("request", lambda r: None if r.url.startswith((address, "data:")) else troubles.append(r.url))
+        tab.goto(address + name)
+        return tab
+
+    yield go
+    for tab in tabs:
+        tab.close()
+    assert not troubles
+
+
+SEEN = """async figure => {
+  const image = figure.querySelector('img');
+  await image.decode();
+  const canvas = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height});
+  canvas.getContext('2d').drawImage(image, 0, 0);
+  return [canvas.toDataURL(), image.src, image.alt, figure.querySelector('[role=status]').textContent];
+}"""
+
+
+@pytest.mark.browser
+def test_a_slider_moves_the_picture(tab):
+    page = tab(LESSONS[1])
+    figure = page.locator("figure.playground")
+    first = figure.evaluate(SEEN)
+    slider = figure.get_by_role("slider").first
+    shown = figure.locator("output").first.inner_text()
+    slider.press("ArrowRight")
+    second = figure.evaluate(SEEN)
+    assert all(before != after for before, after in zip(first, second, strict=True))
+    assert figure.locator("output").first.inner_text() == slider.get_attribute("aria-valuetext") != shown
+    second_slider = figure.get_by_role("slider").nth(1)
+    second_slider.scroll_into_view_if_needed()
+    box = second_slider.bounding_box()
+    second_slider.click(position={"x": 0.9 * box["width"], "y": box["height"] / 2})
+    third = figure.evaluate(SEEN)
+    assert third[0] != second[0] and third[3] != second[3]
+    figure.get_by_role("button", name="Reset").click()
+    page.wait_for_function("first => document.querySelector('.playground img').src == first", arg=first[1])
+    assert figure.evaluate(SEEN) == first
+
+
+@pytest.mark.browser
+def test_every_setting_has_its_picture(tab):
+    page = tab(LESSONS[0])
+    figure = page.locator("figure.playground")
+    data = json.loads(figure.locator("script").text_content())
+    assert not data["together"]
+    for index in range(3):
+        slider = figure.get_by_role("slider").nth(index)
+        for key in ("Home", "End", "ArrowLeft"):
+            slider.press(key)
+            place = int(slider.input_value())
+            setting = [*data["start"][:index], place, *data["start"][index + 1 :]]
+            assert figure.evaluate(SEEN)[3] == data["frames"][",".join(map(str, setting))][1]
+    names = [box.get_attribute("aria-label") for box in figure.get_by_role("slider").all()]
+    assert names == ["sigma_x", "mu_z", "sigma_z"]
+
+
+@pytest.mark.browser
+def test_without_script_there_is_a_picture(tab):
+    page = tab(LESSONS[1], java_script_enabled=False)
+    assert page.locator("figure.playground img").bounding_box()["width"] > 600
+    assert not page.locator("figure.playground form").is_visible()
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("name", ["index.html", *LESSONS])
+def test_on_a_phone(tab, name):
+    page = tab(name, width=390, has_touch=True)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    sizes = page.locator("article p, article li").evaluate_all(
+        "all => all.filter(p => p.innerText).map(p => parseFloat(getComputedStyle(p).fontSize))"
+    )
+    assert min(sizes) >= 13
+    code = page.locator("article pre").evaluate_all("all => all.map(p => parseFloat(getComputedStyle(p).fontSize))")
+    assert min(code) >= 11
+    for image in page.locator("article img").all():
+        box = image.bounding_box()
+        assert box["width"] > 250
+        assert box["x"] + box["width"] <= 390
+    image = page.locator(".playground img")
+    image.tap()
+    assert image.bounding_box()["width"] == 800
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+@pytest.mark.browser
+def test_search_finds(tab):
+    page = tab("search.html?q=innovation")
+    page.locator("#search-results li a").first.wait_for()
+    assert LESSONS[0] in page.locator("#search-results li a").first.get_attribute("href")
