@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/ready
 TEACHERS := $(VENV)/teachers
 
-.PHONY: course test notebooks site assignment slides load lint bench browser clean
+.PHONY: course test notebooks site assignment slides load lint bench check-hard browser clean
 
 course: $(READY)          ## open the course in JupyterLab
 	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab notebooks/00-start-here.ipynb
@@ -39,6 +39,9 @@ lint: $(READY)
 bench: $(READY)           ## print the tables of speed: filters, then playground
 	$(BIN)/python bench/filters.py
 	$(BIN)/python bench/playground.py
+
+check-hard: $(TEACHERS)   ## try to break everything: minutes, one table (PARTS="numbers inputs" for some of it)
+	$(BIN)/python hard/check.py $(PARTS)
 
 # On a CI machine without a browser: install Debian's, so that the browser tests run there too.
 browser:
