@@ -41,7 +41,7 @@ bench: $(READY)           ## print the tables of speed: filters, then playground
 	$(BIN)/python bench/playground.py
 
 check-hard: $(TEACHERS)   ## try to break everything: minutes, one table (PARTS="numbers inputs" for some of it)
-	$(BIN)/python hard/check.py $(PARTS)
+	$(BIN)/python -m hard $(PARTS)
 
 # On a CI machine without a browser: install Debian's, so that the browser tests run there too.
 browser:

@@ -1,8 +1,8 @@
 """How hard is the course to break? `make check-hard`, or
 
-    python hard/check.py                       all parts: minutes, not seconds
-    python hard/check.py numbers inputs        some
-    python hard/check.py --quick               all parts, each much smaller: does the machinery itself still work?
+    python -m hard                       all parts: minutes, not seconds
+    python -m hard numbers inputs        some
+    python -m hard --quick               all parts, each much smaller: does the machinery itself still work?
 
 One table is printed: what was tried, the measured figure, its bound. The command fails if a line does.
 
@@ -15,7 +15,7 @@ import time
 from importlib import import_module
 from pathlib import Path
 
-from line import Line
+from hard.line import Line
 
 PARTS = "numbers", "inputs", "lessons", "browser", "security", "speed"
 sys.path += [str(Path(__file__).parent.parent / folder) for folder in ("tests", "tools", "bench")]
@@ -30,7 +30,7 @@ def run(part, quick):
     begun, found = time.monotonic(), []
     print(f"\n{part}", flush=True)
     try:
-        for line in import_module(part).lines(quick):
+        for line in import_module(f"hard.{part}").lines(quick):
             found.append(line)
             print(row(line), flush=True)
     except Exception as error:

@@ -1,0 +1,1 @@
+"""Hard to break: `make check-hard` tries, measures and prints."""
