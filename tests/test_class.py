@@ -8,7 +8,6 @@ import shutil
 import subprocess
 import sys
 import tomllib
-from importlib.util import find_spec
 from pathlib import Path
 
 import nbformat
@@ -21,8 +20,6 @@ from assignment import assignment  # noqa: E402
 
 LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
 GUIDE = (ROOT / "notebooks" / "teaching-guide.md").read_text(encoding="utf-8")
-needs_nbgrader = pytest.mark.skipif(not find_spec("nbgrader"), reason="nbgrader is not installed")
-needs_jupyterhub = pytest.mark.skipif(not find_spec("jupyterhub"), reason="jupyterhub is not installed")
 
 
 def run(*command, **environment):
@@ -73,7 +70,6 @@ def cells(folder, version):
     return {cell.metadata.get("nbgrader", {}).get("grade_id"): cell for cell in nbformat.read(file, as_version=4).cells}
 
 
-@needs_nbgrader
 def test_the_learners_version_has_no_solutions(course):
     teachers, learners = cells(course, "source"), cells(course, "release")
     assert learners.keys() == teachers.keys()
@@ -95,7 +91,6 @@ def hand_in(course, folder, learner, answers):
     nbformat.write(notebook, folder / learner / name)
 
 
-@needs_nbgrader
 def test_the_whole_circle_for_a_class_of_three(course, tmp_path):
     from kflearn.exercises import gaussian_fusion as exercises
 
@@ -142,17 +137,15 @@ def test_the_whole_circle_for_a_class_of_three(course, tmp_path):
 
 
 def test_slides_are_built(tmp_path):
-    printed = run("tools/slides.py", "04", "--out", tmp_path)
+    run("tools/slides.py", "04", "--out", tmp_path)
     page = (tmp_path / "04.slides.html").read_text(encoding="utf-8")
     assert "<title>4 · Two opinions, one belief</title>" in page
     assert 15 <= page.count("<section") <= 60
     assert page.count("data:image/png") + page.count("image/png;base64") >= 6
     assert "third_opinion" not in page, "the exercises stay in the notebook"
-    if "complete in itself" in printed:
-        assert not re.search(r'(src|href)="https?:', page)
-        assert "<math" in page and "Reveal.initialize" in page
-    else:
-        assert "needs a network" in printed
+    assert not re.search(r'(src|href)="https?:', page), "nothing is loaded from a network"
+    assert "<math" in page and "Reveal.initialize" in page
+    assert ".ipynb" not in page, "there is no lesson beside the slides"
 
 
 def test_a_class_of_three_moves_its_sliders():
@@ -198,7 +191,6 @@ print(json.dumps(found))
 """
 
 
-@needs_jupyterhub
 @pytest.mark.skipif(sys.platform != "linux", reason="the class server is for Linux")
 def test_the_configuration_of_one_machine(tmp_path):
     (tmp_path / "learners.txt").write_text("ada\nben\n\n# a remark\n", encoding="utf-8")

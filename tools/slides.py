@@ -3,9 +3,8 @@
     python tools/slides.py 04            build/slides/04.slides.html
 
 The slides are the lesson as it is stored, up to its exercises: a heading begins a slide (to the right), what does not
-fit continues below (down). The code of pictures is left out. With the packages sphinx-revealjs, which brings reveal.js,
-and math-core, which writes formulas, everything is in the one file. Without them the file asks a network for reveal.js
-and MathJax when it is shown, as nbconvert's slides do.
+fit continues below (down). The code of pictures is left out. Everything is in the one file: reveal.js from the package
+sphinx-revealjs, formulas written by math-core.
 """
 
 import argparse
@@ -18,6 +17,7 @@ from io import BytesIO
 from pathlib import Path
 
 import nbformat
+from math_core import LatexToMathML
 from nbconvert.exporters import SlidesExporter
 from PIL import Image
 from traitlets.config import Config
@@ -36,6 +36,7 @@ STYLE = """<style>
 { display: none; }
 .reveal table { font-size: 0.8em; }
 details { display: none; }
+.reveal .slide-number { right: auto; left: 8px; }
 math[display="block"] { margin: 0.6em 0; }
 </style>"""
 # What nbconvert would load from a network is left out, and reveal.js started as it lies in the file.
@@ -56,7 +57,6 @@ def paragraphs(text):
 
 def formulas(text):
     """LaTeX between $ … $ or $$ … $$ as MathML, where code is left alone."""
-    from math_core import LatexToMathML
 
     def one(found):
         if found[1]:
@@ -134,42 +134,33 @@ def deck(notebook):
     return notebook
 
 
-def package(name):
-    """The folder of an installed package, or None."""
-    found = find_spec(name)
-    return Path(found.origin).parent if found else None
-
-
 def slides(path):
-    """The HTML of a lesson's slides, and whether it needs a network when it is shown."""
+    """The HTML of a lesson's slides, complete in itself."""
     notebook = deck(nbformat.read(path, as_version=4))
-    reveal, alone = package("sphinx_revealjs"), False
-    if reveal and package("math_core"):
-        reveal, alone = reveal / "_static" / "revealjs" / "dist", True
-        for cell in notebook.cells:
-            if cell.cell_type == "markdown":
-                cell.source = formulas(cell.source)
+    for cell in notebook.cells:
+        if cell.cell_type == "markdown":
+            cell.source = formulas(re.sub(r"\[([^\]]*)\]\(\d\d-[\w-]+\.ipynb\)", r"\1", cell.source))
     config = Config()
     config.TagRemovePreprocessor.remove_input_tags = {"no-code"}
     config.TagRemovePreprocessor.enabled = True
-    exporter = SlidesExporter(config=config, **({"raw_template": TEMPLATE} if alone else {}))
+    exporter = SlidesExporter(config=config, raw_template=TEMPLATE)
     exporter.exclude_input_prompt = exporter.exclude_output_prompt = True
     exporter.reveal_scroll = True
     page, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": path.stem}})
     title = html.escape(notebook.cells[0].source.lstrip("# "))
     page = re.sub(r"<title>.*?</title>", f"<title>{title}</title>", page, count=1)
-    page = re.sub(r"\]\((\d\d-[\w-]+)\.ipynb\)", r"](\1.slides.html)", page)
-    if alone:
-        sheets = [(reveal / "reveal.css").read_text("utf-8"), (reveal / "theme" / "white.css").read_text("utf-8")]
-        sheets = [re.sub(r"@import url\([^)]*\);?", "", sheet) for sheet in sheets]
-        script = (reveal / "reveal.js").read_text("utf-8").replace("</script", r"<\/script")
-        page = re.sub(r'<link [^>]*href="https?://[^>]*>', "", page)
-        styles = "".join(f"<style>{sheet}</style>" for sheet in sheets)
-        head, _, rest = page.partition("</head>")
-        page = f"{head}{styles}{STYLE}<script>{script}</script></head>{rest}"
-    else:
-        page = page.replace("</head>", f"{STYLE}</head>", 1)
-    return page, not alone
+    page = re.sub(r'<link [^>]*href="https?://[^>]*>', "", page)
+    head, _, rest = page.partition("</head>")
+    return f"{head}{reveal()}{STYLE}</head>{rest}"
+
+
+def reveal():
+    """The style sheets and the script of reveal.js, as they lie in the package sphinx-revealjs."""
+    folder = Path(find_spec("sphinx_revealjs").origin).parent / "_static" / "revealjs" / "dist"
+    sheets = [(folder / name).read_text("utf-8") for name in ("reveal.css", "theme/white.css")]
+    sheets = [re.sub(r"@import url\([^)]*\);?", "", sheet) for sheet in sheets]
+    script = (folder / "reveal.js").read_text("utf-8").replace("</script", r"<\/script")
+    return "".join(f"<style>{sheet}</style>" for sheet in sheets) + f"<script>{script}</script>"
 
 
 def main():
@@ -179,14 +170,13 @@ def main():
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     for number in options.lessons:
-        path = next((ROOT / "notebooks").glob(f"{number:0>2}-*.ipynb"), None) or sys.exit(
-            f"there is no lesson {number}"
-        )
-        page, network = slides(path)
+        path = next((ROOT / "notebooks").glob(f"{number:0>2}-*.ipynb"), None)
+        if path is None:
+            sys.exit(f"there is no lesson {number}")
+        page = slides(path)
         target = options.out / f"{path.name[:2]}.slides.html"
         target.write_text(page, encoding="utf-8")
-        needs = "needs a network when shown: reveal.js and MathJax" if network else "complete in itself"
-        print(f"{target.name}: {len(page) / 1e6:.1f} MB, {needs}")
+        print(f"{target.name}: {len(page) / 1e6:.1f} MB")
 
 
 if __name__ == "__main__":
