@@ -169,8 +169,10 @@ def prepare(lessons, folder):
     shutil.copytree(ROOT / "site", folder)
     shutil.copytree(NOTEBOOKS / "pictures", folder / "pictures")
     maths_font(folder / "static" / "maths.woff")
-    texts = sorted(NOTEBOOKS.glob("*.md"))
-    pages, alts = [path.name for path in (*lessons, *texts)], {}
+    texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))} | {
+        "class-server.md": ROOT / "class" / "README.md"
+    }
+    pages, alts = [*(path.name for path in lessons), *texts], {}
     for path, notebook, pictures in zip(lessons, notebooks, frames, strict=True):
         alts |= page(path.name, notebook, pictures, pages)
         nbformat.write(notebook, folder / path.name)
@@ -178,9 +180,10 @@ def prepare(lessons, folder):
             copy = folder / "static" / "frames" / picture.relative_to(FRAMES)
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(picture, copy)
-    for path in texts:
-        (folder / path.name).write_text(relink(path.read_text(encoding="utf-8"), pages), encoding="utf-8")
+    for name, path in texts.items():
+        (folder / name).write_text(relink(path.read_text(encoding="utf-8"), pages), encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("](notebooks/", "](")
+    readme = readme.replace("](class/README.md)", "](class-server.md)")
     (folder / "README.md").write_text(relink(readme, pages), encoding="utf-8")
     (folder / "alts.json").write_text(json.dumps(alts), encoding="utf-8")
     index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(frames))
