@@ -1,8 +1,10 @@
-"""Our filters against FilterPy's loop: same numbers, one run, one thread, agreement checked before anything is timed.
+"""Our filters against FilterPy, simdkalman and statsmodels: same numbers, one thread, agreement checked before timing.
 
-    python bench/filters.py          prints a table of ratios (time of FilterPy / time of kflearn)
+    python bench/filters.py          prints a table of times, and of ratios (time of a rival / time of kflearn)
 
-FilterPy filters one run at a time, so it is timed on a part of the runs and the time is scaled up.
+FilterPy and statsmodels filter one run at a time, so they are timed on a part of the runs and the time is scaled up.
+simdkalman, like kflearn, takes all runs at once; it and statsmodels have linear filters only. Timed is what each needs
+for the same result: estimates with their covariances, of filters or of smoothers.
 """
 
 import os
@@ -14,6 +16,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+import simdkalman
 from filterpy.kalman import (
     ExtendedKalmanFilter,
     IMMEstimator,
@@ -21,6 +24,7 @@ from filterpy.kalman import (
     MerweScaledSigmaPoints,
     UnscentedKalmanFilter,
 )
+from statsmodels.tsa.statespace.kalman_smoother import KalmanSmoother
 
 from kflearn import (
     Gaussian,
@@ -39,15 +43,28 @@ from kflearn.multiple_models import lifted
 
 
 class Race(NamedTuple):
-    """ours(z) → Track of all runs; theirs(z of one run) → means (T, n); what to filter, and on how many runs."""
+    """ours(z) → Track of all runs; a rival(z) → means (runs, T, n), and on how many runs it is timed."""
 
     name: str
     z: np.ndarray
     ours: Callable
-    theirs: Callable
-    sample: int
-    goal: float
+    rivals: dict[str, tuple[Callable, int]]
+    goal: float  # how many times as quick as FilterPy
     tolerance: float = 1e-9
+
+
+class Result(NamedTuple):
+    """Seconds of ours and of each rival for all runs, and the largest difference relative to the largest number."""
+
+    race: Race
+    ours: float
+    rivals: dict[str, float]
+    difference: float
+
+
+def each(one_run):
+    """A filter of one run as a filter of many."""
+    return lambda z: np.stack([one_run(series) for series in z])
 
 
 def their_kalman_filter(model, initial):
@@ -57,11 +74,49 @@ def their_kalman_filter(model, initial):
     return kf
 
 
+def first_prediction(model, initial):
+    """The belief where simdkalman and statsmodels begin: at the first measurement, before it is used."""
+    return model.F @ initial.mean, model.F @ initial.cov @ model.F.T + model.Q
+
+
+def all_runs(model, initial, smoothed=False):
+    mean, cov = first_prediction(model, initial)
+    kf = simdkalman.KalmanFilter(model.F, model.Q, model.H, model.R)
+    only = dict(
+        initial_value=mean, initial_covariance=cov, filtered=not smoothed, smoothed=smoothed, observations=False
+    )
+
+    def means(z):
+        found = kf.compute(z, 0, **only)
+        return (found.smoothed if smoothed else found.filtered).states.mean
+
+    return means
+
+
+def compiled(model, initial, smoothed=False):
+    start = first_prediction(model, initial)
+
+    def means(series):
+        kf = KalmanSmoother(k_endog=model.m, k_states=model.n)
+        kf["design"], kf["transition"], kf["selection"] = model.H, model.F, np.eye(model.n)
+        kf["obs_cov"], kf["state_cov"] = model.R, model.Q
+        kf.initialize_known(*start)
+        kf.bind(series)
+        return kf.smooth().smoothed_state.T if smoothed else kf.filter().filtered_state.T
+
+    return each(means)
+
+
 def linear(name, model, initial, z, sample, goal):
     def theirs(series):
         return loop(their_kalman_filter(model, initial), series)
 
-    return Race(name, z, lambda z: kalman_filter(model, z, initial), theirs, sample, goal)
+    rivals = {
+        "FilterPy": (each(theirs), sample),
+        "simdkalman": (all_runs(model, initial), len(z)),
+        "statsmodels": (compiled(model, initial), 10 * sample),
+    }
+    return Race(name, z, lambda z: kalman_filter(model, z, initial), rivals, goal)
 
 
 def loop(kf, series, **how):
@@ -79,7 +134,12 @@ def smoothed(name, model, initial, z, sample, goal):
         means, covs, _, _ = kf.batch_filter(series)
         return kf.rts_smoother(means, covs)[0]
 
-    return Race(name, z, lambda z: rts_smoother(model, kalman_filter(model, z, initial)), theirs, sample, goal)
+    rivals = {
+        "FilterPy": (each(theirs), sample),
+        "simdkalman": (all_runs(model, initial, smoothed=True), len(z)),
+        "statsmodels": (compiled(model, initial, smoothed=True), 10 * sample),
+    }
+    return Race(name, z, lambda z: rts_smoother(model, kalman_filter(model, z, initial)), rivals, goal)
 
 
 def range_and_bearing():
@@ -96,7 +156,9 @@ def range_and_bearing():
     def ours(z):
         return unscented_kalman_filter(model, z, initial, alpha=0.01, beta=2, kappa=0)
 
-    return Race("UKF, 6 states: 1,000 x 50", scene.simulate(1000, rng=0).z, ours, theirs, 20, 70, 1e-6)
+    return Race(
+        "UKF, 6 states: 1,000 x 50", scene.simulate(1000, rng=0).z, ours, {"FilterPy": (each(theirs), 20)}, 70, 1e-6
+    )
 
 
 def missile():
@@ -113,7 +175,7 @@ def missile():
 
     z = simulate(model, start, 367, runs=50, rng=0).z
     ours = lambda z: extended_kalman_filter(model, z, initial)  # noqa: E731
-    return Race("EKF, 9 states: 50 x 367", z, ours, theirs, 3, 14, 1e-6)
+    return Race("EKF, 9 states: 50 x 367", z, ours, {"FilterPy": (each(theirs), 3)}, 14, 1e-6)
 
 
 def manoeuvring():
@@ -132,7 +194,8 @@ def manoeuvring():
         return np.array(means)
 
     z = scene.simulate(50, rng=0).z
-    return Race("IMM, 3 models: 50 x 450", z, lambda z: imm_filter(models, z, start, Pi, mu), theirs, 2, 60)
+    ours = lambda z: imm_filter(models, z, start, Pi, mu)  # noqa: E731
+    return Race("IMM, 3 models: 50 x 450", z, ours, {"FilterPy": (each(theirs), 2)}, 60)
 
 
 def races():
@@ -158,19 +221,31 @@ def best(function, repeats):
     return min(times)
 
 
-def main():
-    print(f"{'':32}{'FilterPy':>12}{'kflearn':>12}{'ratio':>9}{'goal':>7}   largest difference")
-    for race in races():
-        some = race.z[: race.sample]
-        track = race.ours(race.z)
-        theirs = np.stack([race.theirs(series) for series in some])
-        difference = abs(track.mean[: race.sample] - theirs).max() / abs(theirs).max()
-        assert difference < race.tolerance, f"{race.name}: FilterPy disagrees by {difference:.1e}"
-        slow = best(lambda: [race.theirs(series) for series in some], 3) * len(race.z) / len(some)  # noqa: B023
-        fast = best(lambda: race.ours(race.z), 25)  # noqa: B023
-        ratio = slow / fast
-        print(f"{race.name:32}{slow * 1e3:9.0f} ms{fast * 1e3:9.2f} ms{ratio:9.0f}{race.goal:7.0f}   {difference:.0e}")
+def run(race, rounds=25):
+    """Check that all agree, then time them. Raises an AssertionError when a rival disagrees."""
+    track, times, differences = race.ours(race.z), {}, []
+    for name, (rival, sample) in race.rivals.items():
+        some = race.z[:sample]
+        theirs = rival(some)
+        differences.append(abs(track.mean[: len(some)] - theirs).max() / abs(theirs).max())
+        assert differences[-1] < race.tolerance, f"{race.name}: {name} disagrees by {differences[-1]:.1e}"
+        times[name] = best(lambda: rival(some), 3) * len(race.z) / len(some)  # noqa: B023
+    return Result(race, best(lambda: race.ours(race.z), rounds), times, max(differences))
+
+
+RIVALS = "FilterPy", "simdkalman", "statsmodels"
+
+
+def table(results):
+    """The lines of a table in Markdown."""
+    yield "| | kflearn | " + " | ".join(f"{name} | ratio" for name in RIVALS) + " | goal | largest difference |"
+    yield "|---|" + "---:|" * (2 * len(RIVALS) + 3)
+    for race, ours, rivals, difference in results:
+        cells = [f"{1e3 * ours:.2f} ms"]
+        for name in RIVALS:
+            cells += [f"{1e3 * rivals[name]:,.0f} ms", f"{rivals[name] / ours:,.0f}"] if name in rivals else ["", ""]
+        yield f"| {race.name} | {' | '.join(cells)} | {race.goal} | {difference:.0e} |"
 
 
 if __name__ == "__main__":
-    main()
+    print("\n".join(table(map(run, races()))))

@@ -80,33 +80,51 @@ def measure(lab, keys=8):
     return waits, rate
 
 
-def main(rounds=3):
-    if not CHROMIUM:
-        sys.exit("no Chromium found: install chromium, chromium-browser or google-chrome")
+PLAIN, LIVE, SLOW = "interact with pyplot", "playground", "playground, without jupyter_server_config.py"
+
+
+def race(rounds=3):
+    """{name: (milliseconds from key to picture, pictures a second)}, medians."""
     with tempfile.TemporaryDirectory() as folder, browser() as chromium:
         notebook(Path(folder, "ours.ipynb"), FILTER, OURS)
         notebook(Path(folder, "plain.ipynb"), FILTER, INTERACT)
         with server(folder) as url, server(folder, config=None) as slow:
             labs = {
-                "interact with pyplot": Lab(chromium, url, "plain.ipynb"),
-                "playground": Lab(chromium, url, "ours.ipynb"),
-                "playground, without jupyter_server_config.py": Lab(chromium, slow, "ours.ipynb"),
+                PLAIN: Lab(chromium, url, "plain.ipynb"),
+                LIVE: Lab(chromium, url, "ours.ipynb"),
+                SLOW: Lab(chromium, slow, "ours.ipynb"),
             }
             for lab in labs.values():
                 lab.page.bring_to_front()
                 lab.run_all()
                 lab.settle()
-            results = [{label: measure(lab) for label, lab in labs.items()} for _ in range(rounds)]  # in turns
-    print(f"{'':44}{'key → picture':>14}{'pictures/s':>12}")
-    waits, rates = {}, {}
-    for label in labs:
-        waits[label] = statistics.median(wait for result in results for wait in result[label][0])
-        rates[label] = statistics.median(result[label][1] for result in results)
-        print(f"{label:44}{waits[label]:11.0f} ms{rates[label]:12.1f}")
-    plain, ours = list(labs)[:2]
-    ratios = f"{waits[plain] / waits[ours]:12.1f} ×{rates[ours] / rates[plain]:10.1f} ×"
-    print(f"{'ratio; goals ≥ 3 × and ≥ 4 × (≥ 15 pictures)':44}{ratios}")
+            results = [{name: measure(lab) for name, lab in labs.items()} for _ in range(rounds)]  # in turns
+    return {
+        name: (
+            statistics.median(wait for result in results for wait in result[name][0]),
+            statistics.median(result[name][1] for result in results),
+        )
+        for name in labs
+    }
+
+
+def ratios(results):
+    """How many times as quick as `interact` a picture follows a key, and as many pictures a second."""
+    return results[PLAIN][0] / results[LIVE][0], results[LIVE][1] / results[PLAIN][1]
+
+
+def table(results):
+    """The lines of a table in Markdown."""
+    yield "| | key → picture | pictures a second |"
+    yield "|---|---:|---:|"
+    for name, (wait, rate) in results.items():
+        yield f"| {name} | {wait:.0f} ms | {rate:.1f} |"
+    quicker, more = ratios(results)
+    yield f"| playground to interact | {quicker:.1f} × | {more:.1f} × |"
+    yield "| goal | ≥ 3 × | ≥ 4 ×, ≥ 15 pictures |"
 
 
 if __name__ == "__main__":
-    main()
+    if not CHROMIUM:
+        sys.exit("no Chromium found: install chromium, chromium-browser or google-chrome")
+    print("\n".join(table(race())))
