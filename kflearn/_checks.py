@@ -7,12 +7,14 @@ def numbers(name, value, gaps=False):
     """A copy of `value` as an array of float64; text, objects, complex numbers, infinity (and NaN unless `gaps`) are
     refused. Masked entries count as NaN.
     """
-    if np.ma.isMaskedArray(value):
+    if np.ma.isMaskedArray(value) and value.dtype.kind in "biuf":
         value = value.astype(float).filled(np.nan)
     try:
         given = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name} must be a regular array of numbers, but its rows have different lengths") from None
+    except np.ma.MaskError:
+        raise TypeError(f"{name} must consist of real numbers, found a masked one in a list") from None
     if given.dtype.kind not in "biuf":
         odd = next((v for v in given.flat if not isinstance(v, (int, float))), value)
         kind = "text" if isinstance(odd, (str, bytes)) else type(odd).__name__
@@ -28,12 +30,14 @@ def numbers(name, value, gaps=False):
 
 
 def number(name, value, positive=False):
-    """One finite real number; `positive` asks for more than zero."""
+    """One finite real number whose square is one too; `positive` asks for more than zero."""
     array = numbers(name, value)
     if array.size > 1:
         raise ValueError(f"{name} must be a single number, got shape {array.shape}")
     if positive and not array > 0:
         raise ValueError(f"{name} must be positive, got {array.item():g}")
+    if not (array == 0 or 1e-150 < abs(array) < 1e150):
+        raise ValueError(f"{name} must be 0, or of a size between 1e-150 and 1e150, got {array.item():g}")
     return array.item()
 
 

@@ -126,7 +126,7 @@ def times_of(rows, clock, name, unit, top, number, faults):
     numeric = 2 * sum(bool(NUMBER.fullmatch(fields[clock])) for _, fields in rows) >= len(rows)
     scale = SECONDS.get(str(unit).lower()) if numeric else 1
     if scale is None:
-        reason = f"{short(unit)} is not one of ns, us, ms, s, min, h, d" if unit else "write [s] or [ms] behind it"
+        reason = f"{short(unit)} is not one of ns, us, ms, s, min, h, d" if str(unit) else "write [s] or [ms] behind it"
         raise RecordingError((top, f"column {short(name)} needs the unit of its time stamps: {reason}"))
     seconds, first, before = [], None, None
     for n, fields in rows:

@@ -6,6 +6,7 @@ import numpy as np
 
 from . import _checks as check
 from .arguments import check_model, check_series
+from .conditioning import divide_safely
 from .filtering import _predict, along, condition, expect
 from .gaussian import symmetric, trusted
 from .models import at
@@ -51,11 +52,9 @@ def adaptive_kalman_filter(model, z, initial, u=None, window=30, floor=0.01, ada
             R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R0), R)
         belief, gain, innovation = condition(predicted, expected, innovation, R)
         if adapt == "Q":
-            P = predicted.cov
-            surplus, own = (
-                np.trace(np.linalg.solve(P, M), axis1=-2, axis2=-1) for M in (spread(gain, C - innovation.cov)[0], Q)
-            )
-            faster = np.exp(np.clip(surplus / own / window, -0.1, 0.1))
+            called_for = np.stack([spread(gain, C - innovation.cov)[0], Q])
+            surplus, own = np.trace(divide_safely(called_for, predicted.cov), axis1=-2, axis2=-1)
+            faster = np.exp(np.clip(surplus / np.where(own > 0, own, 1) / window, -0.1, 0.1))  # α 0 = 0: any α will do
             alpha = np.where(ready, np.clip(alpha * faster, floor, 1 / floor), alpha)
         steps.append((predicted, belief, innovation, gain, R, Q))
     predicted, filtered, innovation, gains, R, Q = zip(*steps, strict=True)

@@ -41,6 +41,13 @@ def divide(C, S):
 _SIGNS = np.array([[1.0, -1.0], [-1.0, 1.0]])
 
 
+def divide_safely(cross, P):
+    """C P⁻¹ where P may be singular, as when Q = 0 and something is known exactly: by way of the correlations."""
+    variance = np.diagonal(P, axis1=-2, axis2=-1)
+    scale = np.sqrt(np.where(variance > 0, variance, 1))[..., None, :]
+    return cross / scale @ np.linalg.pinv(P / scale / scale.mT, rtol=1e-14, hermitian=True) / scale
+
+
 def log_determinant(S):
     """log det S of positive definite matrices (..., m, m); written out for m = 1 and 2."""
     if S.shape[-1] == 1:

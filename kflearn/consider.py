@@ -5,6 +5,7 @@ from functools import partial
 import numpy as np
 
 from . import _checks as check
+from .arguments import check_belief, check_model
 from .conditioning import divide
 from .linear import covariance_step, linear_filter
 
@@ -17,7 +18,9 @@ def schmidt_kalman_filter(model, z, initial, u=None, considered=()):
     measurements are not exploited fully: rts_smoother refuses such a track. Source: Schmidt 1966; Jazwinski 1970,
     ch. 8.4.
     """
-    n = initial.mean.shape[-1] if hasattr(initial, "mean") else 0
+    check_model(model)
+    check_belief("initial", initial, model)
+    n = model.n
     try:
         indices = [check.whole_number("each of considered", i, least=0) for i in considered]
     except TypeError:

@@ -71,7 +71,7 @@ def whiteness(innovation, lags=20):
     runs × (T − lag), in 95 of 100 cases. Raises ValueError when the series is not longer than `lags`.
     """
     _check_belief("innovation", innovation)
-    y = check.numbers("innovation", innovation.mean / innovation.std)
+    y = check.shape("innovation", check.numbers("innovation", innovation.mean / innovation.std), (None, None))
     T = y.shape[-2]
     if check.whole_number("lags", lags) >= T:
         raise ValueError(f"lags must be smaller than the {T} steps of the series, got {lags}")

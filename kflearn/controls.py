@@ -90,11 +90,16 @@ class Slider(Control):
         else:
             self.slider = ipw.FloatSlider(self.value, min=self.low, max=self.high, step=self.step, **look)
         self.slider.tooltip = tip
-        self.box.observe(lambda change: self.take(self.number(change["new"])), "value")
+        self.box.observe(self._typed, "value")
         self.slider.observe(self._dragged, "value")
         unit = ipw.HTML(self.unit)
         self.widget = ipw.HBox([self.box, unit, self.slider])
         self.widget.layout = ipw.Layout(flex="1 1 22em", max_width="40em", align_items="center", overflow="visible")
+
+    def _typed(self, change):
+        """A number was typed. Where only whole ones count, the box shows the one that it is taken for."""
+        self.box.value = number = self.number(change["new"])
+        self.take(number)
 
     def _dragged(self, change):
         """The slider has moved; not a new value when the browser has only put it on the nearest of its steps."""

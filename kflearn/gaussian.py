@@ -62,7 +62,10 @@ class Gaussian:
 
     def marginal(self, indices):
         """What is believed about some of the components alone: `indices` is one index or a list of them."""
-        keep = np.atleast_1d(indices)
+        try:
+            keep = np.atleast_1d(np.asarray(indices))
+        except (ValueError, np.ma.MaskError):
+            keep = np.empty(0)
         if keep.dtype.kind not in "iu" or keep.ndim != 1 or (abs(keep + 0.5) > self.mean.shape[-1]).any():
             raise ValueError(f"indices must be whole numbers below {self.mean.shape[-1]}, got {indices!r}")
         return trusted(self.mean[..., keep], self.cov[..., keep[:, None], keep])

@@ -7,7 +7,7 @@ field, NaN, NA, N/A, null or None is a gap. Nothing is guessed that could change
 evaluated: whatever else is found is a RecordingError, which says so with the number of the line.
 """
 
-import math
+import sys
 from dataclasses import dataclass
 from datetime import datetime
 from functools import cached_property
@@ -85,8 +85,9 @@ class Recording:
         Raises RecordingError when a row lies more than a tenth of a step off the grid.
         """
         dt = self.steps.median if dt is None else dt
-        if not (isinstance(dt, Real) and 0 < dt < math.inf):
+        if not (isinstance(dt, Real) and 0 < dt <= sys.float_info.max):
             raise RecordingError((None, f"dt must be a positive number of seconds, got {short(dt)}"))
+        dt = float(dt)
         if self.time[-1] > dt * LONGEST_GRID:
             raise RecordingError((None, f"a grid of {dt:g} s would have more than {LONGEST_GRID:,} rows"))
         place = self.time / dt
@@ -159,7 +160,8 @@ def parse(text, time=None, columns=None, time_unit=None):
         faults.append((top, f"a recording needs two rows or more below its header, found {len(rows)}"))
         raise RecordingError(*faults)
     number = table.Numbers(separator)
-    seconds, start = table.times_of(rows, clock, names[clock], time_unit or units[clock], top, number, faults)
+    unit = units[clock] if time_unit is None or str(time_unit) == "" else time_unit
+    seconds, start = table.times_of(rows, clock, names[clock], unit, top, number, faults)
     values = np.array([[number.reading(n, names[j], fields[j], faults) for j in chosen] for n, fields in rows])
     if not faults:
         silent = [names[chosen[i]] for i in np.flatnonzero(np.isnan(values).all(axis=0))]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .arguments import check_model, check_series, check_stacks
-from .conditioning import covariance_after, divide, hide
+from .conditioning import covariance_after, divide, divide_safely, hide
 from .filtering import kalman_filter
 from .gaussian import root, symmetric, trusted
 from .linear import each, shared
@@ -29,7 +29,7 @@ def rts_smoother(model, track):
     Q = _from_second(model.Q)
     if not np.allclose(moved.cov + Q, P_next, rtol=1e-6, atol=1e-6 * np.max(abs(P_next), initial=0)):
         raise ValueError("model must be the one the track was filtered with: it predicts other covariances")
-    gain = _divide_safely(moved.cross, P_next)
+    gain = divide_safely(moved.cross, P_next)
     # Joseph's form once more: what is left of P when the next state is known with the covariance that comes later.
     now = track.cov[..., :-1, :, :]
     left = covariance_after(gain, now, moved.slope, Q + moved.rest, moved.basis)
@@ -111,10 +111,3 @@ def _onward(model, track):
 def _from_second(stack):
     """The matrices of all steps but the first."""
     return stack[..., 1:, :, :] if stack.ndim > 2 and stack.shape[-3] > 1 else stack
-
-
-def _divide_safely(cross, P):
-    """C P⁻¹ where P may be singular, as when Q = 0 and something is known exactly: by way of the correlations."""
-    variance = np.diagonal(P, axis1=-2, axis2=-1)
-    scale = np.sqrt(np.where(variance > 0, variance, 1))[..., None, :]
-    return cross / scale @ np.linalg.pinv(P / scale / scale.mT, rtol=1e-14, hermitian=True) / scale

@@ -125,6 +125,21 @@ def test_q_is_learnt_where_it_can_be(wrong, better):
     assert rmse(right.mean[:, late], data.x[:, late]) < 1.03 * rmse(ideal.mean[:, late], data.x[:, late])
 
 
+@pytest.mark.parametrize("scene", [scenarios.train(), scenarios.cart()], ids=["Q = 0", "speed known exactly"])
+def test_what_is_known_exactly_does_not_disturb_the_size_of_q(scene):
+    # Q = 0 stays 0 whatever its factor is; where the speed is exact P is singular, and only the place has a say.
+    z = 50 + np.random.default_rng(4).normal(size=40)
+    track = adaptive_kalman_filter(scene.model, z, scene.initial, window=5, adapt="Q")
+    assert np.isfinite(track.mean).all()
+    if scene.model.Q.any():
+        place = random_walk(4.0, 1.0).replace(B=1)
+        alone = adaptive_kalman_filter(place, z, Gaussian(50, 1), np.full(40, 10.0), window=5, adapt="Q")
+        np.testing.assert_allclose(track.Q[:, 0, 0], alone.Q[:, 0, 0])
+        np.testing.assert_allclose(track.mean[:, 0], alone.mean[:, 0])
+    else:
+        np.testing.assert_allclose(track.mean, kalman_filter(scene.model, z, scene.initial).mean)
+
+
 def test_an_adaptive_track_is_not_smoothed():
     scene = scenarios.unknown_noise()
     track = adaptive_kalman_filter(scene.model, scene.simulate(rng=0).z, scene.initial)

@@ -61,6 +61,7 @@ def test_the_exercises_of_every_lesson_become_an_assignment(path):
 def course(tmp_path_factory):
     """Lesson 4 as an assignment: the nbgrader course's folder."""
     folder = tmp_path_factory.mktemp("course")
+    folder.chmod(0o755)  # as an ordinary folder is
     run("tools/assignment.py", "04", "--out", folder, "--seconds", "6")
     return folder
 
@@ -79,6 +80,11 @@ def test_the_learners_version_has_no_solutions(course):
     assert learners["fuse"].source.rstrip().endswith("# your lines in place of the dots\n    ...")
     for name in ("points-fuse", "given-0"):  # what must not be changed
         assert not learners[name].metadata.editable and not learners[name].metadata.deletable
+
+
+@pytest.mark.skipif(os.name != "posix", reason="rights of files as Unix has them")
+def test_only_the_teacher_looks_into_the_course(course):
+    assert course.stat().st_mode & 0o077 == 0, "solutions and grades"
 
 
 def hand_in(course, folder, learner, answers):

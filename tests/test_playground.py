@@ -140,6 +140,9 @@ def test_whole_numbers():
     lively.controls["n"].slider.value = 17.0
     assert lively.status == "17"
     assert lively.controls["n"].ends() == (1, 25, 50)
+    for typed, taken in ((17.7, 17), (18.2, 18), (18.9, 18)):  # also when it is the number that was there before
+        lively.controls["n"].box.value = typed
+        assert lively.values["n"] == lively.controls["n"].box.value == taken
 
 
 def test_choice_and_toggle():

@@ -4,6 +4,7 @@ import contextlib
 import importlib.util
 import math
 from datetime import UTC, datetime, timedelta, timezone
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -145,6 +146,7 @@ def test_on_grid():
     assert grid.names == r.names and grid.start == r.start and grid.steps.even
     assert_array_equal(grid.on_grid().values, grid.values)
     assert_array_equal(r.on_grid(0.5)["y"][[0, 2, 12]], [2, 4, 9])
+    assert_array_equal(r.on_grid(Fraction(1, 2)).values, r.on_grid(0.5).values)
 
 
 @pytest.mark.parametrize(
@@ -156,6 +158,7 @@ def test_on_grid():
         (nan, "dt must be a positive"),
         (math.inf, "dt must be a positive"),
         (-1, "dt must be a positive"),
+        (10**400, "dt must be a positive number of seconds, got int 1000"),
         ("1 s", "dt must be a positive number of seconds, got '1 s'"),
         (1e-9, "a grid of 1e-09 s would have more than 10,000,000 rows"),
         (5e-324, "would have more than"),
@@ -184,6 +187,7 @@ DAMAGE = {
     "no unit": ("t,x\n0,1\n1,2\n", {}, 1, "column 't' needs the unit of its time stamps: write [s] or [ms] behind it"),
     "odd unit": ("t [furlong],x\n0,1\n1,2\n", {}, 1, "'furlong' is not one of ns, us, ms"),
     "odd time_unit": (GOOD, dict(time_unit=3), 1, "int 3 is not one of"),
+    "no text for a time_unit": (GOOD, dict(time_unit=np.array([])), 1, "ndarray array([], dtype= is not one of ns"),
     "no such time": (GOOD, dict(time="clock"), 1, "there is no column 'clock'; the columns are 't, x'"),
     "no such column": (GOOD, dict(columns=["x", "y"]), 1, "there is no column 'y'"),
     "time no text": (GOOD, dict(time=0), 1, "there is no column int 0"),

@@ -4,6 +4,7 @@
     python tools/assignment.py 04 05 --grade answers     grade answers/LEARNER/*.ipynb
 
 build/assignment is an nbgrader course: `source` is the teacher's version with solutions, `release` is for the learners.
+Only who made the folder can look into it, so that on a shared machine nobody finds solutions or grades there.
 Each notebook holds the exercises of one lesson, and what they need of it. An exercise is one point. Each notebook to be
 graded runs in a kernel of its own, with a time limit for each cell; the points come from the lesson's own check. The
 table is printed and kept in points.csv, what each learner was told in answers.csv.
@@ -216,8 +217,14 @@ class Course:
         self.folder, self.lessons, self.seconds = Path(folder).resolve(), lessons, seconds
         self.name = "lessons-" + "-".join(path.name[:2] for path in lessons)
 
+    def lock(self):
+        """Keep all others of this machine out of the folder."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.folder.chmod(0o700)
+
     def build(self):
         """Write the teacher's version, and from it the learners'."""
+        self.lock()
         shutil.rmtree(self.folder / "source" / self.name, ignore_errors=True)
         (self.folder / "source" / self.name).mkdir(parents=True)
         (self.folder / "nbgrader_config.py").write_text(CONFIG.format(seconds=self.seconds), encoding="utf-8")
@@ -244,6 +251,7 @@ class Course:
 
     def grade(self, answers):
         """Grade answers/LEARNER/*.ipynb. A row for each learner and exercise: points, and what the check said."""
+        self.lock()  # also one that was made before there was this line
         os.environ.pop("KFLEARN_PROGRESS", None)  # the teacher's own progress stays as it is
         learners = sorted(path for path in Path(answers).iterdir() if path.is_dir() and path.name[0] != ".")
         rows, api = [], self.api()

@@ -144,7 +144,7 @@ def memory(pid):
     """Megabytes of a process: RSS, and PSS, which shares what is in memory once among all who use it (Linux)."""
     rss = psutil.Process(pid).memory_info().rss / 1e6
     try:
-        rollup = Path(f"/proc/{pid}/smaps_rollup").read_text()
+        rollup = Path(f"/proc/{pid}/smaps_rollup").read_text(encoding="utf-8")
         pss = next(int(line.split()[1]) for line in rollup.splitlines() if line.startswith("Pss:")) * 1024 / 1e6
     except OSError:
         pss = float("nan")
