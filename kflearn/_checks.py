@@ -100,6 +100,8 @@ def whole_number(name, value, least=1):
     """An integer that is at least `least`."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < least:
         raise ValueError(f"{name} must be a whole number of at least {least}, got {value!r}")
+    if value >= 2**63:
+        raise ValueError(f"{name} must be below 2**63, got a number of {len(str(value))} digits")
     return int(value)
 
 

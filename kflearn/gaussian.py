@@ -67,7 +67,8 @@ class Gaussian:
         except (ValueError, np.ma.MaskError):
             keep = np.empty(0)
         if keep.dtype.kind not in "iu" or keep.ndim != 1 or (abs(keep + 0.5) > self.mean.shape[-1]).any():
-            raise ValueError(f"indices must be whole numbers below {self.mean.shape[-1]}, got {indices!r}")
+            found = " ".join(repr(indices).split())
+            raise ValueError(f"indices must be whole numbers below {self.mean.shape[-1]}, got {found}")
         return trusted(self.mean[..., keep], self.cov[..., keep[:, None], keep])
 
     def sample(self, size=(), rng=None):

@@ -403,6 +403,12 @@ REST = [
     ("coverage sigmas", lambda a: coverage(a.track(), np.ones((5, 2)), -1), "sigmas", "positive, got -1"),
     ("dof zero", lambda a: chi_square_interval(0), "dof", "at least 1, got 0"),
     ("dof a fraction", lambda a: chi_square_interval(1.5), "dof", "whole number"),
+    (
+        "runs beyond counting",
+        lambda a: chi_square_interval(1, 10**400),
+        "runs",
+        "below 2**63, got a number of 401 digits",
+    ),
     ("runs of an interval", lambda a: chi_square_interval(1, 0), "runs", "at least 1, got 0"),
     ("probability in per cent", lambda a: chi_square_interval(1, 1, 95), "probability", "between 0 and 1, got 95"),
     ("probability one", lambda a: chi_square_interval(1, 1, 1.0), "probability", "between 0 and 1, got 1.0"),
