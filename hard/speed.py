@@ -1,6 +1,6 @@
 """Speed: as quick as promised, and never quicker than right: agreement is checked before anything is timed.
 
-The measurements are those of `make bench`.
+The measurements are those of `make bench`, which also times the tests and writes BENCHMARKS.md.
 """
 
 import filters
@@ -12,7 +12,6 @@ from hard.line import Line
 FEWER = ("voltmeter", "EKF")  # races of a quick run
 IMPORT = 1.0  # kflearn's own share, in times of NumPy's
 KERNEL = 700  # MB; the class server gives each process 1 GB
-MINUTES = 6
 
 
 def lines(quick):
@@ -23,9 +22,6 @@ def lines(quick):
         yield from pictures(playground.race())
     yield import_line()
     yield from memory(("05",) if quick else ("05", "14", "20"))
-    if not quick:
-        seconds, words = footprint.test_run()
-        yield Line(f"the tests: {words}", f"{seconds / 60:.1f} min", f"< {MINUTES} min", seconds < 60 * MINUTES)
 
 
 def ratios(result):
