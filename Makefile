@@ -7,7 +7,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/ready
 MORE := $(VENV)/more
 
-.PHONY: course test notebooks site assignment slides load lint bench check-hard browser clean
+.PHONY: course test notebooks site assignment slides load picture lint bench check-hard browser clean
 
 course: $(READY)          ## open the course in JupyterLab
 	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab notebooks/00-start-here.ipynb
@@ -32,6 +32,9 @@ slides: $(MORE)           ## slides of LESSON=04, in build/slides
 
 load: $(MORE)             ## a class of KERNELS=30 on this machine: memory, and time from slider to picture
 	$(BIN)/python tools/load.py $(KERNELS)
+
+picture: $(MORE)          ## the picture in README.md, from JupyterLab in a browser
+	$(BIN)/python tools/picture.py
 
 lint: $(READY)
 	$(BIN)/ruff check --fix .
