@@ -65,7 +65,8 @@ def execute(sources, folder):
 
     watch = f"import sys; sys.path.append({str(ROOT / 'tools')!r}); import frames; frames.watch({folder!r})"
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in (watch, *sources)])
-    NotebookClient(notebook, timeout=600, kernel_name="python3", resources={"metadata": {"path": NOTEBOOKS}}).execute()
+    how = dict(extra_arguments=["--log-level=ERROR"], resources={"metadata": {"path": NOTEBOOKS}})
+    NotebookClient(notebook, timeout=600, kernel_name="python3", **how).execute()
 
 
 def figure(folder, name):
