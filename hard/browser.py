@@ -30,6 +30,7 @@ MINUTES = float(os.environ.get("MINUTES", "10"))
 LESSONS = "05-voltmeter.ipynb", "10-train-and-ship.ipynb"  # two sliders; three, one of whole numbers, and buttons
 KEYS = "ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End"
 FLAT = 0.05  # the share by which memory may have changed at the end
+KEEP_CODE = "--js-flags=--no-flush-bytecode"  # else V8 drops some 4 MB of JupyterLab's compiled code at some moment
 
 # In the page: every message of the kernel that tells of trouble, also of what happens between the cells. Not counted is
 # that JupyterLab, when it opens a notebook, looks for widgets in a kernel that has not imported ipywidgets yet.
@@ -236,7 +237,7 @@ def lines(quick=False):
                 notebook(Path(folder, name), SMALL)
             else:
                 shutil.copy(ROOT / "notebooks" / name, folder)
-        with server(folder) as url, browser() as chromium:
+        with server(folder) as url, browser(KEEP_CODE) as chromium:
             readers = [Reader(chromium, url, name, seed) for seed, name in enumerate(LESSONS)]
             counts = torture(readers, seconds)
             trouble = [each for reader in readers for each in reader.trouble()]

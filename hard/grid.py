@@ -55,8 +55,8 @@ def sweep(path, most):
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in sources])
     resources = {"metadata": {"path": str(path.parent)}}
     environment = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    quiet = ["--log-level=ERROR"]
-    client = NotebookClient(notebook, timeout=600, kernel_name="python3", resources=resources, extra_arguments=quiet)
+    how = dict(extra_arguments=["--log-level=ERROR"], coalesce_streams=True, resources=resources)
+    client = NotebookClient(notebook, timeout=600, kernel_name="python3", **how)
     asyncio.run(client.async_execute(env=environment))
     return [int(count) for count in notebook.cells[-1].outputs[0].text.split()]
 

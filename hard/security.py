@@ -140,10 +140,8 @@ async def watched(path, turn):
     notebook.cells = [before, *notebook.cells, after]
     where = {"metadata": {"path": str(ROOT / "notebooks")}}
     async with turn:
-        quiet = ["--log-level=ERROR"]
-        await NotebookClient(
-            notebook, timeout=120, kernel_name="python3", resources=where, extra_arguments=quiet
-        ).async_execute()
+        how = dict(extra_arguments=["--log-level=ERROR"], coalesce_streams=True, resources=where)
+        await NotebookClient(notebook, timeout=120, kernel_name="python3", **how).async_execute()
     return [f"{path.name[:2]} {event} {detail}" for event, detail in json.loads(after.outputs[-1].text)]
 
 
