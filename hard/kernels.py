@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
@@ -45,18 +45,29 @@ def kernel(path, machine=None, folder=ROOT / "notebooks"):
         place.parent.mkdir(parents=True)
         place.write_text(json.dumps(dict(argv=argv, display_name="lesson", language="python")), encoding="utf-8")
         specs = KernelSpecManager(kernel_dirs=[str(place.parent.parent)])
-        client = NotebookClient(
-            nbformat.read(path, as_version=4),
-            km=AsyncKernelManager(kernel_name="lesson", kernel_spec_manager=specs),
-            timeout=300,
-            allow_errors=True,
-            store_widget_state=False,
-            coalesce_streams=True,
-            resources={"metadata": {"path": str(folder)}},
-        )
-        env = machine.variables() | {"IPYTHONDIR": home}
-        with client.setup_kernel(cleanup_kc=True, env=env, stderr=subprocess.DEVNULL):  # the kernel's own log
-            yield client
+        how = dict(env=machine.variables() | {"IPYTHONDIR": home}, stderr=subprocess.DEVNULL)  # the kernel's own log
+        with ExitStack() as stack:
+            yield started(stack, path, specs, folder, how)
+
+
+def started(stack, path, specs, folder, how, attempts=3):
+    """A client with its kernel. One that dies at once, as when another has just taken its port, gets a successor."""
+    client = NotebookClient(
+        nbformat.read(path, as_version=4),
+        km=AsyncKernelManager(kernel_name="lesson", kernel_spec_manager=specs),
+        timeout=300,
+        allow_errors=True,
+        store_widget_state=False,
+        coalesce_streams=True,
+        resources={"metadata": {"path": str(folder)}},
+    )
+    try:
+        stack.enter_context(client.setup_kernel(cleanup_kc=True, **how))
+    except RuntimeError:
+        if attempts == 1:
+            raise
+        return started(stack, path, specs, folder, how, attempts - 1)
+    return client
 
 
 def code_cells(notebook):
