@@ -76,7 +76,6 @@ class Learner:
             await self.run(cell)
         where = json.loads(await self.run(WHERE))
         self.picture, self.sliders = where["picture"], where["sliders"]
-        self.started = time.perf_counter() - begun
         return self
 
     async def ready(self, stack):
