@@ -5,7 +5,7 @@ import numpy as np
 from hard import draws
 from hard.attempt import attempt, beliefs, refusal
 from hard.line import Line
-from kflearn import Gaussian, LinearModel, simulate
+from kflearn import Gaussian, LinearModel, NonlinearModel, simulate
 from kflearn.gaussian import trusted
 
 STEPS = 12
@@ -17,6 +17,7 @@ KNOBS = dict(alpha=0.5, kappa=1.0, leave=0.05, window=5, floor=0.01)
 def lines(quick):
     names = ["cart", "bearing"] if quick else draws.NAMES
     cases = [plain(name) for name in names]
+    cases += [without_slopes(case) for case in cases if isinstance(case.model, NonlinearModel)]
     powers = [-12, 12] if quick else range(-12, 13)
     yield odd_arrays(cases)
     yield odd_units(cases, "all units × 10^k, k = −12 … 12", powers, lambda count: np.ones(count))
@@ -30,6 +31,12 @@ def plain(name):
     u = None if u is None else u[:STEPS]
     x, z, _ = simulate(model, initial, STEPS, u, rng=8)
     return draws.Case(name, model, initial, x, z, u, KNOBS)
+
+
+def without_slopes(case):
+    """The case with central differences in place of its Jacobians."""
+    model = case.model.replace(F_jacobian=None, H_jacobian=None)
+    return case._replace(name=f"{case.name} by differences", model=model)
 
 
 def apart(one, other):
@@ -137,9 +144,10 @@ def rescaled(case, X, Z):
         model = model.replace(
             f=lambda x, *u: X * own.f(x / X, *u),
             h=lambda x: Z * own.h(x / X),
-            F_jacobian=lambda x, *u: X[:, None] * own.F_jacobian(x / X, *u) / X,
-            H_jacobian=lambda x: Z[:, None] * own.H_jacobian(x / X) / X,
+            F_jacobian=own.F_jacobian and (lambda x, *u: X[:, None] * own.F_jacobian(x / X, *u) / X),
+            H_jacobian=own.H_jacobian and (lambda x: Z[:, None] * own.H_jacobian(x / X) / X),
             residual=lambda z, expected: Z * own.difference(z / Z, expected / Z),
+            scale=X * own.scale,
         )
     initial = Gaussian(X * case.initial.mean, XX * case.initial.cov)
     return case._replace(model=model, initial=initial, z=Z * case.z)

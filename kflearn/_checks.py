@@ -96,6 +96,16 @@ def covariance(name, value, size=None, definite=False):
     return array
 
 
+def sizes(name, value, count):
+    """A positive number, or one for each of `count` components."""
+    array = numbers(name, value)
+    if array.ndim:
+        shape(name, array, (count,))
+    if bad := [size for size in array.flat if not 1e-150 < size < 1e150]:
+        raise ValueError(f"{name} must be positive, of a size between 1e-150 and 1e150, found {bad[0]:g}")
+    return array
+
+
 def whole_number(name, value, least=1):
     """An integer that is at least `least`."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < least:

@@ -162,10 +162,18 @@ def start_from(model, z):
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
     H, R = at(model.H, 0), at(model.R, 0)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z)), (model.m,))
-    if model.m != model.n or np.linalg.matrix_rank(H) < model.n:
+    if model.m != model.n or not _invertible(H):
         raise ValueError(f"H of shape {H.shape} must be invertible to start from z: not every state is measured")
     half = np.linalg.solve(H, R)
     return Gaussian(np.linalg.solve(H, z[..., None])[..., 0], symmetric(np.linalg.solve(H, half.mT)))
+
+
+def _invertible(H):
+    """Has a square matrix, or each of a stack, full rank in whatever units? Rows and columns are brought to size 1."""
+    for axis in (-1, -2):
+        size = abs(H).max(axis=axis, keepdims=True)
+        H = H / np.where(size > 0, size, 1)
+    return (np.linalg.matrix_rank(H) == H.shape[-1]).all()
 
 
 def gaussian_filter(model, z, initial, u, through):

@@ -84,8 +84,9 @@ class NonlinearModel:
 
     f: (..., n) → (..., n), called with u as its second argument when a control input is given; h: (..., n) → (..., m).
     Q (n, n), R (m, m), or stacks (..., T, n, n). F_jacobian(x) or F_jacobian(x, u): (..., n, n) and H_jacobian(x):
-    (..., m, n); without them central differences are taken. residual(z, expected): the difference of two
-    measurements, for quantities such as angles that wrap; default z − expected.
+    (..., m, n); without them central differences are taken, whose steps fit states of the size `scale`, a number or
+    (n,), and larger ones: set it where a state in its unit is far below 1. residual(z, expected): the difference of
+    two measurements, for quantities such as angles that wrap; default z − expected.
     """
 
     f: Callable
@@ -95,6 +96,7 @@ class NonlinearModel:
     F_jacobian: Callable | None = None
     H_jacobian: Callable | None = None
     residual: Callable | None = None
+    scale: np.ndarray = 1.0
 
     def __post_init__(self):
         for name in ("f", "h"):
@@ -104,6 +106,7 @@ class NonlinearModel:
             check.callable_or_none(name, getattr(self, name))
         object.__setattr__(self, "Q", check.covariance("Q", self.Q))
         object.__setattr__(self, "R", check.covariance("R", self.R, definite=True))
+        object.__setattr__(self, "scale", check.sizes("scale", self.scale, self.n))
 
     @property
     def n(self):
@@ -130,14 +133,14 @@ class NonlinearModel:
     def move_slope(self, x, u=None, k=0):
         """The Jacobian of f at x (..., n): (..., n, n)."""
         if self.F_jacobian is None:
-            return numerical_jacobian(lambda points: self.move(points, u), x)
+            return numerical_jacobian(lambda points: self.move(points, u), x, scale=self.scale)
         return self.F_jacobian(x) if u is None else self.F_jacobian(x, u)
 
     def measure_slope(self, x, k=0):
         """The Jacobian of h at x (..., n): (..., m, n)."""
         if self.H_jacobian is not None:
             return self.H_jacobian(x)
-        return numerical_jacobian(self.h, x, self.difference)
+        return numerical_jacobian(self.h, x, self.difference, self.scale)
 
     def difference(self, z, expected):
         """residual(z, expected), or z − expected where no residual was given."""
@@ -162,15 +165,15 @@ def stacks(model):
     return {name: M for name, M in matrices.items() if M is not None and M.ndim > 2}
 
 
-def numerical_jacobian(function, x, difference=np.subtract):
-    """The Jacobian (..., m, n) of `function` at x (..., n) by central differences, with 5 to 10 correct digits where
-    the components of x are of the order of 1 or more: the step is 6e-6 max(|x|, 1).
+def numerical_jacobian(function, x, difference=np.subtract, scale=1.0):
+    """The Jacobian (..., m, n) of `function` at x (..., n) by central differences with 5 to 10 correct digits.
 
-    `function` gets states with one more axis in front, (n, ..., n). `difference(a, b)` subtracts two of its values;
-    give the model's own for angles.
+    That holds where the components of x are of the order of `scale`, a number or (n,), or larger: the step is
+    6e-6 max(|x|, scale). `function` gets states with one more axis in front, (n, ..., n). `difference(a, b)` subtracts
+    two of its values; give the model's own for angles.
     """
     x = np.asarray(x, dtype=float)
-    step = np.cbrt(np.finfo(float).eps) * np.maximum(abs(x), 1)
+    step = np.cbrt(np.finfo(float).eps) * np.maximum(abs(x), check.sizes("scale", scale, x.shape[-1]))
     shift = np.moveaxis(step[..., None, :] * np.eye(x.shape[-1]), -2, 0)
     return np.moveaxis(difference(function(x + shift), function(x - shift)), 0, -1) / (2 * step[..., None, :])
 

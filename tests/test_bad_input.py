@@ -177,6 +177,8 @@ MODELS = [
     ("f no function", lambda a: a.bent(f=I2), "f", "a function, got ndarray"),
     ("h no function", lambda a: a.bent(h=None), "h", "a function, got NoneType"),
     ("Jacobian no function", lambda a: a.bent(H_jacobian=a.H), "H_jacobian", "a function, got ndarray"),
+    ("scale zero", lambda a: a.bent(scale=[1, 0]), "scale", "positive, of a size between 1e-150 and 1e150, found 0"),
+    ("scale of three", lambda a: a.bent(scale=[1, 1, 1]), "scale", "shape (2,), got (3,)"),
     ("residual no function", lambda a: a.bent(residual=1), "residual", "a function, got int"),
 ]
 BELIEFS = [

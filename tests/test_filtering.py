@@ -267,6 +267,19 @@ def test_start_from_a_measurement():
     assert format(start_from(random_walk(1, 4), 3), "g") == "N(3, 4)"
 
 
+def test_start_from_in_any_units():
+    H, size = (
+        np.array([[2.0, 1.0], [1.0, 3.0]]),
+        np.array([1e-9, 1e9]),
+    )  # the numbers of one state are 1e18 times as large
+    plain, odd = (start_from(LinearModel(np.eye(2), H / each, np.eye(2), np.eye(2)), [4, 4]) for each in (1, size))
+    np.testing.assert_allclose(odd.mean / size, plain.mean)
+    np.testing.assert_allclose(odd.cov / size / size[:, None], plain.cov)
+    for singular in (np.array([[1, 2], [3, 6]]) / size, np.diag([1.0, 0.0])):
+        with pytest.raises(ValueError, match="H of shape"):
+            start_from(LinearModel(np.eye(2), singular, np.eye(2), np.eye(2)), [1, 2])
+
+
 def test_kalman_step_starts_itself():
     started = kalman_step([4.0, 6.0], np.diag([2.0, 8.0]), H=2 * np.eye(2), Q=np.eye(2))
     np.testing.assert_allclose(started.mean, [2, 3])  # nothing is predicted: Q does not count

@@ -123,6 +123,15 @@ def test_numerical_jacobian_takes_lists_and_functions_of_other_lengths():
     np.testing.assert_allclose(numerical_jacobian(lambda x: x[..., :1] * x[..., 1:], [2, 3]), [[3, 2]], atol=1e-9)
 
 
+def test_numerical_jacobian_of_small_states_needs_their_size():
+    x = np.array([3e-9, 4e-9])  # 3 and 4 m, in another unit
+    np.testing.assert_allclose(numerical_jacobian(polar, x, scale=[1e-9, 1e-9]), polar_slope(x), rtol=1e-9)
+    assert abs(numerical_jacobian(polar, x)[1, 0] / polar_slope(x)[1, 0]) < 0.01  # the step jumps far beyond them
+    model = NonlinearModel(polar, polar, np.eye(2), np.eye(2), scale=1e-9)
+    np.testing.assert_allclose(model.move_slope(x), polar_slope(x), rtol=1e-9)
+    np.testing.assert_allclose(model.replace(R=2 * np.eye(2)).measure_slope(x), polar_slope(x), rtol=1e-9)
+
+
 def test_numerical_jacobian_across_the_jump_of_an_angle():
     def difference(z, expected):
         return (z - expected + np.pi) % (2 * np.pi) - np.pi
