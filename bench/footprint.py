@@ -3,7 +3,6 @@
 python bench/footprint.py
 """
 
-import asyncio
 import re
 import statistics
 import subprocess
@@ -11,11 +10,19 @@ import sys
 import time
 from pathlib import Path
 
+import nbformat
+from nbclient import NotebookClient
+
 ROOT = Path(__file__).parent.parent
 sys.path.append(str(ROOT / "tools"))
 import load  # noqa: E402
 
 CLOCK = "import time; begun = time.perf_counter(); import {}; print(time.perf_counter() - begun)"
+PEAK = """
+import resource, sys
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024))
+"""
+LARGEST = 3  # lessons in the table
 
 
 def import_time(module, rounds=7):
@@ -25,10 +32,20 @@ def import_time(module, rounds=7):
     return statistics.median(times)
 
 
-def kernels(lessons=("05", "14", "20")):
-    """{lesson: (RSS, PSS)} in MB of a kernel in which a lesson has run up to its playground and a slider has moved."""
-    found = [asyncio.run(load.measure(1, lesson, moves=10, pause=0.0)) for lesson in lessons]
-    return {each["lesson"]: (each["rss"], each["pss"]) for each in found}
+def kernels(lessons=None):
+    """{lesson: megabytes} that a kernel has needed at most when a whole lesson has run in it; by default of all."""
+    paths = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+    return {path.stem: most_memory(path) for path in paths if lessons is None or path.stem[:2] in lessons}
+
+
+def most_memory(path):
+    """Megabytes, the largest RSS of a kernel while it runs all cells of a lesson."""
+    notebook = nbformat.read(path, as_version=4)
+    notebook.cells.append(nbformat.v4.new_code_cell(PEAK))
+    resources = {"metadata": {"path": str(path.parent)}}
+    how = dict(extra_arguments=["--log-level=ERROR"], coalesce_streams=True, resources=resources)
+    NotebookClient(notebook, timeout=600, kernel_name="python3", **how).execute(env=load.ENVIRONMENT)
+    return float(notebook.cells[-1].outputs[0].text) / 1e6
 
 
 def test_run():
@@ -46,8 +63,10 @@ def table(tests=True):
     numpy, ours = import_time("numpy"), import_time("kflearn")
     yield f"| import numpy | {1e3 * numpy:.0f} ms |"
     yield f"| import kflearn, NumPy included | {1e3 * ours:.0f} ms |"
-    for lesson, (rss, pss) in kernels().items():
-        yield f"| memory of a kernel, lesson {lesson} | RSS {rss:.0f} MB, PSS {pss:.0f} MB |"
+    whole = kernels()
+    for lesson in sorted(whole, key=whole.get)[-LARGEST:]:
+        yield f"| memory of a kernel, the whole of lesson {lesson}, at most | RSS {whole[lesson]:.0f} MB |"
+    yield f"| the same, the median of all {len(whole)} lessons | RSS {statistics.median(whole.values()):.0f} MB |"
     yield "| memory of a JupyterLab server | RSS {:.0f} MB, PSS {:.0f} MB |".format(*load.server_memory())
     if tests:
         seconds, words = test_run()

@@ -11,7 +11,7 @@ Settings come from the environment (README.md beside this file says more):
     CLASS_ACCOUNTS     "create": make an account for every name that has none
     CLASS_REPOSITORY   a git repository with the course; nbgitpuller copies it into each home, and brings it up to date
     CLASS_BRANCH       its branch (main)
-    CLASS_MEMORY       of each process of a learner, such as 1G: a kernel that asks for more gets a MemoryError
+    CLASS_MEMORY       of each process of a learner, such as 2G: a kernel that asks for more gets a MemoryError
     CLASS_STATE        a folder for the hub's own files (build/class)
 """
 
@@ -74,7 +74,7 @@ c.LocalAuthenticator.create_system_users = named("CLASS_ACCOUNTS", "") == "creat
 c.JupyterHub.spawner_class = ClassSpawner
 c.Spawner.cmd = [str(Path(sys.executable).with_name("jupyterhub-singleuser"))]
 c.Spawner.notebook_dir = "~"
-c.Spawner.mem_limit = named("CLASS_MEMORY", "1G")
+c.Spawner.mem_limit = named("CLASS_MEMORY", "2G")
 c.Spawner.environment = {
     "JUPYTER_CONFIG_PATH": str(HERE.parent),  # jupyter_server_config.py: sliders answer 40 ms sooner
     "OMP_NUM_THREADS": "1",

@@ -11,7 +11,7 @@ from hard.line import Line
 
 FEWER = ("voltmeter", "EKF")  # races of a quick run
 IMPORT = 1.0  # kflearn's own share, in times of NumPy's
-KERNEL = 700  # MB; the class server gives each process 1 GB
+KERNEL = 800  # MB; the class server gives each process 2 GB of data, of which not all is in memory
 
 
 def lines(quick):
@@ -21,7 +21,7 @@ def lines(quick):
     if not quick:
         yield from pictures(playground.race())
     yield import_line()
-    yield from memory(("05",) if quick else ("05", "14", "20"))
+    yield memory(["05"] if quick else None)
 
 
 def ratios(result):
@@ -55,5 +55,7 @@ def import_line():
 
 
 def memory(lessons):
-    for lesson, (rss, _) in footprint.kernels(lessons).items():
-        yield Line(f"memory of a learner's kernel, {lesson}", f"{rss:.0f} MB", f"< {KERNEL} MB", rss < KERNEL)
+    sizes = footprint.kernels(lessons)
+    largest = max(sizes, key=sizes.get)
+    what = f"memory of a learner's kernel, most of {len(sizes)} whole lessons"
+    return Line(what, f"{sizes[largest]:.0f} MB, {largest}", f"< {KERNEL} MB", sizes[largest] < KERNEL)

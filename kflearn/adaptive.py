@@ -44,12 +44,12 @@ def adaptive_kalman_filter(model, z, initial, u=None, window=30, floor=0.01, ada
     innovations, alpha, steps = Innovations(window, batch, model.m), np.ones(batch), []
     for k in range(z.shape[-2]):
         Q0, R0 = at(model.Q, k), at(model.R, k)
-        Q, R = alpha[..., None, None] * Q0, np.broadcast_to(R0, (*batch, model.m, model.m))
+        Q, R = alpha[..., None, None] * Q0 if adapt == "Q" else Q0, R0
         predicted = _predict(model, belief, None if u is None else u[..., k, :], k, through, Q)
         expected, innovation = expect(model, predicted, z[..., k, :], k, through)
         C, ready = innovations.take(innovation)
         if adapt == "R":
-            R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R0), R)
+            R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R0), R0)
         belief, gain, innovation = condition(predicted, expected, innovation, R)
         if adapt == "Q":
             called_for = np.stack([spread(gain, C - innovation.cov)[0], Q])
@@ -57,9 +57,11 @@ def adaptive_kalman_filter(model, z, initial, u=None, window=30, floor=0.01, ada
             faster = np.exp(np.clip(surplus / np.where(own > 0, own, 1) / window, -0.1, 0.1))  # α 0 = 0: any α will do
             alpha = np.where(ready, np.clip(alpha * faster, floor, 1 / floor), alpha)
         steps.append((predicted, belief, innovation, gain, R, Q))
-    predicted, filtered, innovation, gains, R, Q = zip(*steps, strict=True)
-    later = lambda: along(predicted), lambda: along(innovation)
-    return AdaptiveTrack(along(filtered), np.stack(gains, -3), *later, u, None, np.stack(R, -3), np.stack(Q, -3))
+    predicted, filtered, innovation, gains, *noises = zip(*steps, strict=True)
+    R, Q = (np.broadcast_to(M := np.stack(noise, -3), (*batch, *M.shape[-3:])) for noise in noises)
+    return AdaptiveTrack(
+        along(filtered), np.stack(gains, -3), lambda: along(predicted), lambda: along(innovation), u, None, R, Q
+    )
 
 
 class Innovations:

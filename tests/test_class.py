@@ -210,8 +210,8 @@ def test_the_configuration_of_one_machine(tmp_path):
     assert found["bind"].startswith("http://127.0.0.1:8000")
     assert found["authenticator"] == "PAMAuthenticator" and found["spawner"] == "LocalProcessSpawner"
     assert not found["all"] and not found["accounts"] and found["allowed"] == ["ada", "ben"]
-    assert found["home"] == "~" and found["memory"] == 2**30
-    assert found["limits"] == [str(2**30), str(0o077)]
+    assert found["home"] == "~" and found["memory"] == 2**31
+    assert found["limits"] == [str(2**31), str(0o077)]
     assert "--MappingKernelManager.cull_idle_timeout=1800" in found["args"]
     assert "--ServerApp.shutdown_no_activity_timeout=3600" in found["args"]
     assert found["url"].startswith("/git-pull?repo=https%3A%2F%2Fexample.org%2Fcourse.git&branch=main")
@@ -234,7 +234,7 @@ def test_the_chart_values():
     assert config["Authenticator"]["allow_all"] is False and config["NativeAuthenticator"]["open_signup"] is False
     assert config["JupyterHub"]["authenticator_class"] != "dummy"
     assert values["proxy"]["service"]["type"] == "ClusterIP"
-    assert user["memory"] == {"guarantee": "384M", "limit": "1G"}
+    assert user["memory"] == {"guarantee": "384M", "limit": "2G"}
     assert "gitpuller REPOSITORY main" in user["lifecycleHooks"]["postStart"]["exec"]["command"][-1]
     assert user["defaultUrl"].endswith("/kalman/notebooks/00-start-here.ipynb")
     assert values["cull"]["enabled"] and values["cull"]["timeout"] == 3600

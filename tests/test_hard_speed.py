@@ -35,3 +35,10 @@ def test_slow_is_no():
     assert lines[0].measured == "999 times as quick" and lines[0].bound == "≥ 1000"
     results = {"interact with pyplot": (150, 3.0), "playground": (60, 14.0), speed.playground.SLOW: (90, 9)}
     assert [line.ok for line in speed.pictures(results)] == [False, True, False]
+
+
+def test_a_hungry_lesson_is_no(monkeypatch):
+    monkeypatch.setattr(speed.footprint, "kernels", lambda lessons: {"05-voltmeter": 180.0, "20-adaptive": 1093.0})
+    line = speed.memory(None)
+    assert not line.ok
+    assert line.measured == "1093 MB, 20-adaptive"
