@@ -7,7 +7,7 @@ def numbers(name, value, gaps=False):
     """A copy of `value` as an array of float64; text, objects, complex numbers, infinity (and NaN unless `gaps`) are
     refused. Masked entries count as NaN.
     """
-    if np.ma.isMaskedArray(value) and value.dtype.kind in "biuf":
+    if isinstance(value, np.ndarray) and hasattr(value, "filled") and value.dtype.kind in "biuf":  # np.ma loads slowly
         value = value.astype(float).filled(np.nan)
     try:
         given = np.asarray(value)
