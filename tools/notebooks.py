@@ -29,6 +29,7 @@ def execute(notebook, folder=FOLDER):
         timeout=60,
         kernel_name="python3",
         resources={"metadata": {"path": str(folder)}},
+        extra_arguments=["--log-level=ERROR"],  # the kernel's own log
         record_timing=False,
         store_widget_state=False,
         coalesce_streams=True,
