@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -285,6 +286,31 @@ def doors(ada, ben):
     return answers
 
 
+EAR = """
+import json, time, zmq
+ears = [(port, zmq.Context.instance().socket(zmq.SUB)) for port in {ports}]
+for port, ear in ears:
+    ear.subscribe(b"")
+    ear.connect(f"tcp://127.0.0.1:{{port}}")
+heard, end = [], time.time() + 6
+while time.time() < end:
+    heard += [port for port, ear in ears if ear.poll(10) and b"the answer" in b"".join(ear.recv_multipart())]
+print(json.dumps(sorted(set(heard))))
+"""
+MOUTH = "import time\nfor second in range(6): print('the', 'answer'); time.sleep(1)"
+
+
+def overheard(ada, ben, hub):
+    """Of the ports of Ben's processes, those at which Ada's kernel hears what his prints; and how many there are."""
+    mine = [each for each in hub.children(recursive=True) if each.username() == ben.name]
+    ends = [one for each in mine for one in each.net_connections() if one.status == psutil.CONN_LISTEN]
+    ports = sorted({one.laddr.port for one in ends})
+    with ThreadPoolExecutor(1) as pool:
+        listening = pool.submit(ada.run, EAR.format(ports=ports))
+        ben.run(MOUTH)
+        return json.loads(listening.result()), len(ports)
+
+
 def try_class():
     """Ada and Ben on the class server; Ada tries everything."""
     if why := obstacle():
@@ -316,6 +342,8 @@ def try_class():
         yield Line("class: Ben's own token opens his", f"{whole}", "42", whole == "42")
         ports = listeners(hub)
         yield none("class: ports open to other machines", elsewhere(ports), len(ports))
+        heard, asked = overheard(ada, ben, hub)
+        yield none("class: ports at which Ada hears what Ben's kernel prints", heard, asked)
 
 
 # ---- dependencies
