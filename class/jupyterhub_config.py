@@ -90,7 +90,7 @@ if repository := named("CLASS_REPOSITORY", ""):
     pull = dict(repo=repository, branch=named("CLASS_BRANCH", "main"), targetpath=COURSE)
     c.Spawner.default_url = "/git-pull?" + urlencode(pull | {"urlpath": f"lab/tree/{COURSE}/{FIRST}"})
 
-# A kernel and its server talk through sockets in the learner's home. At ports of the machine, the usual way, whoever has
+# A kernel and its server talk through sockets in the learner's home. At ports of the machine, as is usual, whoever has
 # an account can listen to what a kernel prints.
 # Idle: a kernel ends after 30 minutes without work, its page open or not; a server without kernels after an hour.
 c.Spawner.args = [
