@@ -90,11 +90,10 @@ if repository := named("CLASS_REPOSITORY", ""):
     pull = dict(repo=repository, branch=named("CLASS_BRANCH", "main"), targetpath=COURSE)
     c.Spawner.default_url = "/git-pull?" + urlencode(pull | {"urlpath": f"lab/tree/{COURSE}/{FIRST}"})
 
-# A kernel and its server talk through sockets in the learner's home. At ports of the machine, as is usual, whoever has
-# an account can listen to what a kernel prints.
+# What a kernel and its server say to each other is encrypted: else whoever has an account of the machine can listen.
 # Idle: a kernel ends after 30 minutes without work, its page open or not; a server without kernels after an hour.
 c.Spawner.args = [
-    "--KernelManager.transport=ipc",
+    "--KernelManager.transport_encryption=required",
     "--MappingKernelManager.cull_idle_timeout=1800",
     "--MappingKernelManager.cull_interval=120",
     "--MappingKernelManager.cull_connected=True",

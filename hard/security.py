@@ -23,6 +23,7 @@ from pathlib import Path
 import nbformat
 import psutil
 import requests
+import zmq
 from IPython.core.inputtransformer2 import TransformerManager
 from nbclient import NotebookClient
 
@@ -176,13 +177,18 @@ def setting(name, value):
 # ---- JupyterLab as `make course` starts it
 
 
+def waiting(processes):
+    """The ends (ip, port) at which processes wait for others."""
+    found = []
+    for each in processes:
+        with suppress(psutil.NoSuchProcess):
+            found += [one.laddr for one in each.net_connections() if one.status == psutil.CONN_LISTEN]
+    return found
+
+
 def listeners(process):
     """The addresses at which a process and those that it started wait for others."""
-    found = []
-    for each in [process, *process.children(recursive=True)]:
-        with suppress(psutil.NoSuchProcess):
-            found += [one.laddr.ip for one in each.net_connections() if one.status == psutil.CONN_LISTEN]
-    return found
+    return [end.ip for end in waiting([process, *process.children(recursive=True)])]
 
 
 def elsewhere(addresses):
@@ -258,18 +264,36 @@ def within(learner, question, paths):
     return json.loads(learner.run(question.format(paths=paths)))
 
 
+def listen(process):
+    """What somebody hears who listens at all ports of a process and its children until it ends: (bytes, ports)."""
+    ears, heard = {}, 0
+    with zmq.Context() as context:
+        while process.poll() is None:
+            children = psutil.Process(process.pid).children(recursive=True)
+            for port in {end.port for end in waiting(children)} - set(ears):
+                ears[port] = context.socket(zmq.SUB)
+                ears[port].subscribe(b"")
+                ears[port].connect(f"tcp://127.0.0.1:{port}")
+            heard += sum(len(b"".join(ear.recv_multipart())) for ear in ears.values() if ear.poll(5))
+        context.destroy(linger=0)
+    return heard, len(ears)
+
+
 def teachers_files(folder):
-    """An assignment as a teacher with the usual umask makes and grades it: all its files."""
+    """An assignment as a teacher with the usual umask makes and grades it: all its files, and what was heard of it."""
     answers = folder / "answers" / "ada"
     tool = [sys.executable, str(ROOT / "tools" / "assignment.py"), "04", "--out", str(folder / "assignment")]
     run = dict(capture_output=True, check=True, umask=0o022)
     subprocess.run(tool, **run)
     shutil.copytree(folder / "assignment" / "release" / "lessons-04", answers)
-    subprocess.run([*tool, "--grade", str(answers.parent)], **run)
+    silent = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    grading = subprocess.Popen([*tool, "--grade", str(answers.parent)], umask=0o022, **silent)
+    heard = listen(grading)
+    assert grading.returncode == 0
     shutil.rmtree(answers.parent)
     files = [folder / "assignment", *(folder / "assignment").rglob("*")]
     assert {"gradebook.db", "points.csv", "answers.csv", "source"} <= {file.name for file in files}
-    return files
+    return files, heard
 
 
 def doors(ada, ben):
@@ -303,8 +327,7 @@ MOUTH = "import time\nfor second in range(6): print('the', 'answer'); time.sleep
 def overheard(ada, ben, hub):
     """Of the ports of Ben's processes, those at which Ada's kernel hears what his prints; and how many there are."""
     mine = [each for each in hub.children(recursive=True) if each.username() == ben.name]
-    ends = [one for each in mine for one in each.net_connections() if one.status == psutil.CONN_LISTEN]
-    ports = sorted({one.laddr.port for one in ends})
+    ports = sorted({end.port for end in waiting(mine)})
     with ThreadPoolExecutor(1) as pool:
         listening = pool.submit(ada.run, EAR.format(ports=ports))
         ben.run(MOUTH)
@@ -317,7 +340,7 @@ def try_class():
         yield Line("class server with two learners", f"not tried: {why}", "tried where it can be", True)
         return
     with classroom() as (folder, hub, (ada, ben), outsider):
-        grades, state = teachers_files(folder), [folder / "class", *(folder / "class").rglob("*")]
+        (grades, (heard, asked)), state = teachers_files(folder), [folder / "class", *(folder / "class").rglob("*")]
         ben.ask("/api/contents/answer.txt", method="PUT", json=dict(type="file", format="text", content="42"))
         home = Path(f"/home/{ben.name}")
         files = [home, *(path for path in home.rglob("*") if not path.is_symlink())]
@@ -332,6 +355,7 @@ def try_class():
         yield none("class: the hub's own files", within(ada, READABLE, state), len(state))
         yield none("class: the teacher's solutions and grades", within(ada, READABLE, grades), len(grades))
         shared = [ROOT / "class", ROOT / "jupyter_server_config.py", ROOT / "kflearn", folder, folder / "learners.txt"]
+        yield Line("class: what all can hear of grading", f"{heard} bytes at {asked} ports", "0", heard == 0 < asked)
         yield none("class: what runs in all servers, and Ada may change", within(ada, WRITABLE, shared), len(shared))
         came = [ada.signed_in, outsider.signed_in, Learner(ada.address, ben.name, "wrong").signed_in]
         yield Line("class: Ada, not on the list, wrong password", f"{came}", "[302, 403, 403]", came == [302, 403, 403])
@@ -340,8 +364,8 @@ def try_class():
         yield none("class: doors that Ada's token opens at Ben's", let_in, len(answers))
         whole = ben.ask("/api/contents/answer.txt").json().get("content")
         yield Line("class: Ben's own token opens his", f"{whole}", "42", whole == "42")
-        ports = listeners(hub)
-        yield none("class: ports open to other machines", elsewhere(ports), len(ports))
+        addresses = listeners(hub)
+        yield none("class: ports open to other machines", elsewhere(addresses), len(addresses))
         heard, asked = overheard(ada, ben, hub)
         yield none("class: ports at which Ada hears what Ben's kernel prints", heard, asked)
 

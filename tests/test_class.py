@@ -214,7 +214,7 @@ def test_the_configuration_of_one_machine(tmp_path):
     assert found["limits"] == [str(2**31), str(0o077)]
     assert "--MappingKernelManager.cull_idle_timeout=1800" in found["args"]
     assert "--ServerApp.shutdown_no_activity_timeout=3600" in found["args"]
-    assert "--KernelManager.transport=ipc" in found["args"], "at ports everybody could listen"
+    assert "--KernelManager.transport_encryption=required" in found["args"], "at ports everybody could listen"
     assert found["url"].startswith("/git-pull?repo=https%3A%2F%2Fexample.org%2Fcourse.git&branch=main")
     assert found["url"].endswith("urlpath=lab%2Ftree%2Fkalman%2Fnotebooks%2F00-start-here.ipynb")
     assert Path(found["env"]["JUPYTER_CONFIG_PATH"], "jupyter_server_config.py").exists()

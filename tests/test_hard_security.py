@@ -67,3 +67,20 @@ def test_an_answer_to_a_stranger_is_told():
 def test_the_part_runs():
     found = list(security.lines(quick=True))
     assert len(found) == 10 and all(line.ok for line in found)
+
+
+TALK = """
+import time, zmq
+mouth = zmq.Context.instance().socket(zmq.PUB)
+mouth.bind_to_random_port("tcp://127.0.0.1")
+for second in range(40):
+    mouth.send(b"0.5 points")
+    time.sleep(0.05)
+"""
+
+
+def test_who_talks_in_the_open_is_heard():
+    start = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {TALK!r}])"
+    heard, ports = security.listen(subprocess.Popen([sys.executable, "-c", start]))
+    assert heard >= len("0.5 points")
+    assert ports == 1

@@ -46,6 +46,7 @@ c.CourseDirectory.course_id = "kalman"
 c.ClearSolutions.code_stub = {{"python": ""}}
 c.Execute.timeout = {seconds}
 c.Execute.error_on_timeout = {{"ename": "TimeoutError", "evalue": "longer than {seconds} s", "traceback": []}}
+c.KernelManager.transport_encryption = "required"  # whoever has an account could listen to what is graded
 """
 
 
