@@ -1,6 +1,7 @@
 """The checks of hard/security.py work, and can fail."""
 
 import asyncio
+import subprocess
 import sys
 
 import nbformat
