@@ -18,9 +18,13 @@ sys.path.append(str(ROOT / "tools"))
 import load  # noqa: E402
 
 CLOCK = "import time; begun = time.perf_counter(); import {}; print(time.perf_counter() - begun)"
-PEAK = """
-import resource, sys
-print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024))
+PEAK = r"""
+import re, resource
+try:
+    with open("/proc/self/status") as status:
+        print(1024 * int(re.search(r"VmHWM:\s*(\d+)", status.read())[1]))  # its own; that of `resource` is inherited
+except OSError:  # macOS
+    print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
 LARGEST = 3  # lessons in the table
 
