@@ -46,14 +46,20 @@ def two_filter_smoother(model, z, initial, u=None):
 
     Arguments as in kalman_filter; returns a Gaussian like rts_smoother, with equal numbers. The backward filter knows
     nothing at the end of the series and so carries information, Y = P⁻¹ and y = P⁻¹x. At step k the forward filter has
-    used z_k and the backward one has not: each measurement counts once. Source: Fraser and Potter 1969.
+    used z_k and the backward one has not: each measurement counts once. Raises ValueError where one knows so much more
+    than the other that their sum is singular. Source: Fraser and Potter 1969.
     """
     forward = kalman_filter(model, z, initial, u)
     z, u, _ = check_series(model, z, initial, u)
     Y, y = _information_ahead(model, z, u)
     # P₊ = (P⁻¹ + Y)⁻¹ = L (I + LᵀYL)⁻¹ Lᵀ with P = L Lᵀ, so that neither P nor Y need have an inverse.
     L = root(forward.cov)
-    P = L @ np.linalg.solve(np.eye(model.n) + L.mT @ Y @ L, L.mT)
+    try:
+        P = L @ np.linalg.solve(np.eye(model.n) + L.mT @ Y @ L, L.mT)
+    except np.linalg.LinAlgError:
+        raise ValueError(
+            "Q must be smaller beside R: the two filters are 1e16 times apart and cannot be fused"
+        ) from None
     return settled(trusted(forward.mean + each(P, y - each(Y, forward.mean)), symmetric(P)))
 
 

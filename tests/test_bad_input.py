@@ -415,6 +415,12 @@ REST = [
     ("probability in per cent", lambda a: chi_square_interval(1, 1, 95), "probability", "between 0 and 1, got 95"),
     ("probability one", lambda a: chi_square_interval(1, 1, 1.0), "probability", "between 0 and 1, got 1.0"),
     ("probability text", lambda a: chi_square_interval(1, 1, "high"), "probability", "found text"),
+    (
+        "two filters too far apart",
+        lambda a: two_filter_smoother(a.model(Q=[[0, 1], [1, 1e300]], R=[[2]]), [1, nan, 3], a.start),
+        "Q",
+        "smaller beside R",
+    ),
     ("whiteness of an array", lambda a: whiteness(a.z), "innovation", ".mean and a .cov"),
     ("whiteness of one belief", lambda a: whiteness(a.start, 1), "innovation", "(any, any), got (2,)"),
     ("whiteness with gaps", lambda a: whiteness(kf(a, z=[1, nan, 2]).innovation, 1), "innovation", "finite, found nan"),
