@@ -30,8 +30,9 @@ def linear_filter(model, z, initial, u, step, carry=lambda P: P, through=lineari
     T = z.shape[-2]
 
     def predicted():
-        first = np.broadcast_to(initial.mean, (*mean.shape[:-2], model.n))[..., None, :]
-        moved = each(model.F, np.concatenate([first, mean[..., :-1, :]], axis=-2))
+        before = np.empty_like(mean)  # which lies in memory as `mean` does
+        before[..., 0, :], before[..., 1:, :] = initial.mean, mean[..., :-1, :]
+        moved = each(model.F, before)
         return trusted(moved if u is None else moved + each(model.B, u), hold(symmetric(predicted_cov), T))
 
     def innovation():
@@ -99,11 +100,12 @@ def _unchanged(P, before):
 
 def each(M, v):
     """M_k v_k for all steps: M (..., steps, n, m) or (n, m), v (..., T, m); the last of fewer matrices holds on."""
-    if M.ndim == 2:
+    if M.ndim == 2 and (v.ndim == 2 or v.flags.c_contiguous):
         return apply(M, v)
     if M.ndim > 3:
         return np.matvec(hold(M, v.shape[-2]), v)
-    # One matrix a step serves all runs: put the runs last and use matrix products.
+    # One matrix a step serves all runs: put the runs last, where they may lie already, and use matrix products.
+    M = M if M.ndim > 2 else M[None]
     wide = np.moveaxis(v, (-2, -1), (0, 1)).reshape(*v.shape[-2:], -1)
     out = np.empty((len(wide), M.shape[-2], wide.shape[-1]))
     np.matmul(M, wide[: len(M)], out=out[: len(M)])

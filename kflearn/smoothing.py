@@ -36,9 +36,12 @@ def rts_smoother(model, track):
     P = np.broadcast_to(track.cov, (*left.shape[:-3], *track.cov.shape[-3:])).copy()
     for k in range(P.shape[-3] - 2, -1, -1):
         P[..., k, :, :] = left[..., k, :, :] + spread(gain[..., k, :, :], P[..., k + 1, :, :])[0]
-    drive = track.mean[..., :-1, :] - each(gain, track.predicted.mean[..., 1:, :])
-    mean = linear_recursion(gain[..., ::-1, :, :], drive[..., ::-1, :], track.mean[..., -1, :])[..., ::-1, :]
-    return settled(trusted(np.concatenate([mean, track.mean[..., -1:, :]], axis=-2), symmetric(P)))
+    # x_k = G_k x_{k+1} + (x̂_k − G_k x⁻_{k+1}), backwards from the last, where G = 0.
+    drive = track.mean.copy(order="K")
+    drive[..., :-1, :] -= each(gain, track.predicted.mean[..., 1:, :])
+    gain = np.concatenate([gain, np.zeros_like(gain[..., :1, :, :])], axis=-3)[..., ::-1, :, :]
+    mean = linear_recursion(gain, drive[..., ::-1, :], np.zeros(model.n))[..., ::-1, :]
+    return settled(trusted(mean, symmetric(P)))
 
 
 def two_filter_smoother(model, z, initial, u=None):
