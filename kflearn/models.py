@@ -170,7 +170,7 @@ def numerical_jacobian(function, x, difference=np.subtract, scale=1.0):
 
     That holds where the components of x are of the order of `scale`, a number or (n,), or larger: the step is
     6e-6 max(|x|, scale). `function` gets states with one more axis in front, (n, ..., n). `difference(a, b)` subtracts
-    two of its values; give the model's own for angles.
+    two of its values; give the model's own for angles. Raises ValueError where `scale` does not fit or is not positive.
     """
     x = np.asarray(x, dtype=float)
     step = np.cbrt(np.finfo(float).eps) * np.maximum(abs(x), check.sizes("scale", scale, x.shape[-1]))
