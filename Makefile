@@ -1,16 +1,36 @@
-# The course's commands. They prepare their own environment in .venv the first time; what only teachers, the web page and
-# the tests need is added when one of these is asked for.
+# The course's commands; `make help` lists them. They prepare their own environment in .venv the first time; what only
+# teachers, the web page and the tests need is added when one of these is asked for.
 
-PYTHON ?= python3
+PYTHON ?= $(firstword $(shell command -v python3 python py) python3)
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
 MORE := $(VENV)/more
+ROOT := $(if $(filter 0,$(shell id -u)),--allow-root)
+define ROOT_NOTE
+@echo "You are root, as in a container or in WSL: JupyterLab is told that this is meant."
+@echo "If no browser opens, open the address that JupyterLab prints."
+endef
 
-.PHONY: course test notebooks site assignment slides load picture lint bench check-hard browser clean
+.PHONY: help course update reset clear test notebooks site assignment slides load picture lint bench check-hard browser clean
+
+help:                     ## this list
+	@grep -E '^[a-z-]+:.*## ' Makefile | sed -E 's/:.*## /\t/' | awk -F '\t' '{ printf "make %-12s %s\n", $$1, $$2 }'
 
 course: $(READY)          ## open the course in JupyterLab
-	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab notebooks/00-start-here.ipynb
+	$(if $(ROOT),$(ROOT_NOTE))
+	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab $(ROOT) notebooks/00-start-here.ipynb
+
+update: $(READY)          ## what is new in the course; your answers stay
+	@$(BIN)/python tools/update.py
+	@$(MAKE) --no-print-directory $(READY)
+
+reset: $(READY)           ## a lesson as it was when it came, LESSON=05; what you made of it is kept beside it
+	@$(BIN)/python tools/reset.py $(LESSON)
+
+clear: $(READY)           ## the lessons without outputs, for a class, in build/clear
+	rm -rf build/clear && mkdir -p build/clear && cp -r notebooks/*.md notebooks/pictures build/clear
+	$(BIN)/jupyter nbconvert --log-level=WARN --ClearOutputPreprocessor.enabled=True --to notebook --output-dir build/clear notebooks/[0-9][0-9]-*.ipynb
 
 test: $(MORE) $(if $(CI),browser)          ## lint, unit tests, lessons, browser
 	$(BIN)/ruff check .
@@ -36,7 +56,7 @@ load: $(MORE)             ## a class of KERNELS=30 on this machine: memory, and 
 picture: $(MORE)          ## the picture in README.md, from JupyterLab in a browser
 	$(BIN)/python tools/picture.py
 
-lint: $(READY)
+lint: $(READY)            ## mend the style of the code, as far as ruff can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
@@ -52,14 +72,12 @@ browser:
 	  || (apt-get update -qq && apt-get install -y -qq chromium)
 
 $(READY): requirements.txt pyproject.toml
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --requirement requirements.txt
-	$(BIN)/python -m pip install --quiet --no-deps --editable .
-	touch $(READY)
+	@command -v $(PYTHON) > /dev/null || { echo "There is no Python here. The course needs Python 3.11 to 3.14: README.md tells where to get it."; exit 1; }
+	@$(PYTHON) tools/prepare.py --folder $(VENV)
 
 $(MORE): requirements-more.txt $(READY)
-	$(BIN)/python -m pip install --quiet --requirement requirements-more.txt
-	touch $(MORE)
+	@$(PYTHON) tools/prepare.py --folder $(VENV) requirements-more.txt
+	@touch $(MORE)
 
-clean:
+clean:                    ## remove the environment and all that was built; lessons and answers stay
 	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .hypothesis

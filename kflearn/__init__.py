@@ -38,6 +38,8 @@ from .simulation import simulate
 from .smoothing import rts_smoother, two_filter_smoother
 from .square_root import square_root_kalman_filter
 
+__version__ = "0.1.1"  # said here only: pyproject.toml, lesson 0 and the web page read it
+
 __all__ = [
     "Gaussian",
     "LinearModel",
