@@ -1,53 +1,44 @@
 """Turn the exercises of lessons into an assignment, and grade a class's answers, with nbgrader.
 
     python tools/assignment.py 04 05                     the assignment, in build/assignment
-    python tools/assignment.py 04 05 --grade answers     grade answers/LEARNER/*.ipynb
+    python tools/assignment.py 04 05 --grade answers     grade what is in answers/LEARNER
 
 build/assignment is an nbgrader course: `source` is the teacher's version with solutions, `release` is for the learners.
 Only who made the folder can look into it, so that on a shared machine nobody finds solutions or grades there.
-Each notebook holds the exercises of one lesson, and what they need of it. An exercise is one point. Each notebook to be
-graded runs in a kernel of its own, with a time limit for each cell; the points come from the lesson's own check. The
-table is printed and kept in points.csv, what each learner was told in answers.csv.
+Each notebook holds the exercises of one lesson, and what they need of it. An exercise is one point. Names of files that
+are handed in do not matter (`hand_ins.py` says whose and which they are). Each notebook is graded as a fresh copy with
+the learner's answers (`fresh_copy.py`), in a kernel of its own, with a time limit for each cell (`grading.py`); the
+points come from the lesson's own check. The table is printed and kept in points.csv, what each learner was told in
+answers.csv.
 """
 
 import argparse
 import ast
-import csv
 import inspect
 import os
 import re
-import shutil
 import symtable
 import sys
 import warnings
-from collections import Counter
 from importlib import import_module
 from pathlib import Path
 
 import nbformat
+from grading import Course, report, table, write
 
 ROOT = Path(__file__).parent.parent
 IMPORT = re.compile(r"^from kflearn\.exercises import (\w+) as exercises\n*", re.MULTILINE)
 HEAD = """{title}: exercises
 
 Open the lesson beside this notebook. Put your work in place of the dots and run the cell. Then run the cell below it:
-it says what it finds, and shows a 1 when the point is yours. Try as often as you like. Save, and hand in this file
-under the name it has.{given}"""
+it says what it finds, and shows a 1 when the point is yours. Try as often as you like. Save, and hand in this file,
+{file}.{given}"""
 GIVEN = """
 
 First comes what the exercises need of the lesson, calculated again: run these cells, you need not read them."""
 GRADE = """outcome = exercises.{name}.check({answer})
 print(outcome)
 int(outcome.status == "right")"""
-STOPPED = "The cell stopped"
-CONFIG = """# `nbgrader` reads this file when it is called in this folder.
-c = get_config()
-c.CourseDirectory.course_id = "kalman"
-c.ClearSolutions.code_stub = {{"python": ""}}
-c.Execute.timeout = {seconds}
-c.Execute.error_on_timeout = {{"ename": "TimeoutError", "evalue": "longer than {seconds} s", "traceback": []}}
-c.KernelManager.transport_encryption = "required"  # whoever has an account could listen to what is graded
-"""
 
 
 # ---- a lesson's exercises as a notebook for nbgrader
@@ -70,7 +61,8 @@ def assignment(path):
         new_cell("code", source, f"given-{i}", locked=True) for i, source in enumerate(given(cells[:start], section))
     ]
     title = cells[0].source.splitlines()[0]
-    head = new_cell("markdown", HEAD.format(title=title, given=GIVEN if len(needs) > 1 else ""))
+    file = f"{path.name[:2]}-answers.ipynb"
+    head = new_cell("markdown", HEAD.format(title=title, file=file, given=GIVEN if len(needs) > 1 else ""))
     notebook = nbformat.v4.new_notebook(cells=[head, *needs, *(cell for each in made for cell in each)])
     notebook.metadata.kernelspec = {"name": "python3", "display_name": "Python 3 (ipykernel)", "language": "python"}
     for number, cell in enumerate(notebook.cells):
@@ -208,152 +200,7 @@ def given(before, section):
     return ["\n".join([*dict.fromkeys(line for line in first if line != checks), checks]), *kept]
 
 
-# ---- nbgrader
-
-
-class Course:
-    """An nbgrader course in a folder, with one assignment of some lessons."""
-
-    def __init__(self, folder, lessons, seconds=60):
-        self.folder, self.lessons, self.seconds = Path(folder).resolve(), lessons, seconds
-        self.name = "lessons-" + "-".join(path.name[:2] for path in lessons)
-
-    def lock(self):
-        """Keep all others of this machine out of the folder."""
-        self.folder.mkdir(parents=True, exist_ok=True)
-        self.folder.chmod(0o700)
-
-    def build(self):
-        """Write the teacher's version, and from it the learners'."""
-        self.lock()
-        shutil.rmtree(self.folder / "source" / self.name, ignore_errors=True)
-        (self.folder / "source" / self.name).mkdir(parents=True)
-        (self.folder / "nbgrader_config.py").write_text(CONFIG.format(seconds=self.seconds), encoding="utf-8")
-        for path in self.lessons:
-            nbformat.write(assignment(path), self.folder / "source" / self.name / path.name)
-        done = self.api().generate_assignment(self.name, force=True)
-        if not done["success"]:
-            raise RuntimeError(done["log"])
-
-    def api(self):
-        from nbgrader.apps.api import NbGraderAPI
-        from nbgrader.preprocessors import Execute
-        from traitlets.config import PyFileConfigLoader
-
-        beside = str(Path(sys.executable).parent)  # nbgrader calls `alembic`, which lies there
-        if beside not in os.environ["PATH"].split(os.pathsep):
-            os.environ["PATH"] = os.pathsep.join([beside, os.environ["PATH"]])
-        config = PyFileConfigLoader("nbgrader_config.py", path=str(self.folder)).load_config()
-        config.CourseDirectory.root = str(self.folder)
-        config.NbGraderAPI.log_level = "ERROR"
-        Execute.extra_arguments.tag(config=True)
-        config.Execute.extra_arguments = ["--log-level=ERROR"]  # of the kernels
-        return NbGraderAPI(config=config)
-
-    def grade(self, answers):
-        """Grade answers/LEARNER/*.ipynb. A row for each learner and exercise: points, and what the check said."""
-        self.lock()  # also one that was made before there was this line
-        os.environ.pop("KFLEARN_PROGRESS", None)  # the teacher's own progress stays as it is
-        learners = sorted(path for path in Path(answers).iterdir() if path.is_dir() and path.name[0] != ".")
-        rows, api = [], self.api()
-        for learner in learners:
-            for lesson in self.lessons:
-                handed_in, trouble = next(learner.rglob(lesson.name), None), "Nothing was handed in."
-                if handed_in:
-                    place = self.folder / "submitted" / learner.name / self.name / lesson.name
-                    place.parent.mkdir(parents=True, exist_ok=True)
-                    shutil.copy(handed_in, place)
-                    api.coursedir.notebook_id = lesson.stem
-                    done = api.autograde(self.name, learner.name)
-                    trouble = "" if done["success"] else reason(done.get("log", "") + done.get("error", ""))
-                rows += self.rows(api, learner.name, lesson, trouble)
-        return rows
-
-    def rows(self, api, learner, lesson, trouble):
-        """The rows of a learner's notebook. Points are what nbgrader has in its gradebook."""
-        points, said = {}, {}
-        if not trouble:
-            with api.gradebook as book:
-                graded = book.find_submission_notebook(lesson.stem, self.name, learner).grades
-                points = {grade.name: round(grade.score) for grade in graded}
-            file = self.folder / "autograded" / learner / self.name / lesson.name
-            for cell in nbformat.read(file, as_version=4).cells:
-                said[cell.metadata.get("nbgrader", {}).get("grade_id")] = sentence(cell.get("outputs", []))
-            said |= {f"points-{name}": said[name] for name in said if said[name].startswith(STOPPED)}
-        teachers = nbformat.read(self.folder / "source" / self.name / lesson.name, as_version=4).cells
-        asked = [cell.metadata.nbgrader.grade_id for cell in teachers if cell.metadata.get("nbgrader", {}).get("grade")]
-        return [
-            {
-                "learner": learner,
-                "lesson": lesson.name[:2],
-                "exercise": name.removeprefix("points-"),
-                "points": points.get(name, 0),
-                "said": trouble or said.get(name, "The cell that checks was deleted."),
-            }
-            for name in asked
-        ]
-
-
-def sentence(outputs):
-    """What a cell said, or the error with which it stopped."""
-    for output in outputs:
-        if output.output_type == "error":
-            if output.ename in ("KeyboardInterrupt", "TimeoutError"):
-                return f"{STOPPED} at the time limit."
-            return f"{STOPPED} with {output.ename}: {output.evalue}".rstrip(": ")
-    return " ".join(output.text.strip() for output in outputs if output.output_type == "stream")
-
-
-def reason(log):
-    """One sentence from nbgrader's log about a notebook that could not be graded."""
-    if "DeadKernelError" in log or "Kernel died" in log:
-        return "Not graded: the notebook ended its kernel."
-    if "UnresponsiveKernel" in log:
-        return "Not graded: the notebook ran on and could not be interrupted."
-    if "NotJSONError" in log or "ValidationError" in log:
-        return "Not graded: the file is no notebook."
-    found = re.search(r"(\w+Error|\w+Exception): .*", re.sub(r"\x1b\[[\d;]*m", "", log))
-    return f"Not graded: {found[0] if found else 'nbgrader failed'}"
-
-
-# ---- the table
-
-
-def table(rows):
-    """The printed table: a line for each learner, then one for each exercise with what was said most often."""
-    asked = list(dict.fromkeys((row["lesson"], row["exercise"]) for row in rows))
-    short = {each: f"{each[0]}.{[e for e in asked if e[0] == each[0]].index(each) + 1}" for each in asked}
-    points = {(row["learner"], row["lesson"], row["exercise"]): row["points"] for row in rows}
-    learners = list(dict.fromkeys(row["learner"] for row in rows))
-    width = max(map(len, ["learner", *learners]))
-    lines = [" ".join([f"{'learner':{width}}", *(f"{short[each]:>5}" for each in asked), "    sum"])]
-    for learner in learners:
-        got = [points[learner, *each] for each in asked]
-        lines.append(" ".join([f"{learner:{width}}", *(f"{one:5g}" for one in got), f"{sum(got):4g}/{len(got)}"]))
-    lines.append("")
-    for each in asked:
-        mine = [row for row in rows if (row["lesson"], row["exercise"]) == each]
-        right = sum(row["points"] for row in mine)
-        lines.append(f"{short[each]} {each[1]}: {right} of {len(mine)} right")
-        for said, number in Counter(row["said"] for row in mine if not row["points"]).most_common(2):
-            lines.append(f"      {number} × {said}")
-    return "\n".join(lines)
-
-
-def write(rows, folder):
-    """points.csv, a line for each learner; answers.csv, a line for each answer."""
-    asked = list(dict.fromkeys((row["lesson"], row["exercise"]) for row in rows))
-    points = {(row["learner"], row["lesson"], row["exercise"]): row["points"] for row in rows}
-    with open(folder / "points.csv", "w", newline="", encoding="utf-8") as file:
-        sheet = csv.writer(file)
-        sheet.writerow(["learner", *(f"{lesson} {name}" for lesson, name in asked), "sum"])
-        for learner in dict.fromkeys(row["learner"] for row in rows):
-            got = [points[learner, *each] for each in asked]
-            sheet.writerow([learner, *got, sum(got)])
-    with open(folder / "answers.csv", "w", newline="", encoding="utf-8") as file:
-        sheet = csv.DictWriter(file, ["learner", "lesson", "exercise", "points", "said"])
-        sheet.writeheader()
-        sheet.writerows(rows)
+# ---- the command
 
 
 def main():
@@ -361,24 +208,31 @@ def main():
     parser.add_argument("lessons", nargs="+", help="numbers of lessons, such as 04 05")
     parser.add_argument("--grade", type=Path, metavar="FOLDER", help="a folder with a folder of notebooks a learner")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "assignment")
-    parser.add_argument("--seconds", type=int, default=60, help="time limit of a cell")
+    parser.add_argument("--seconds", type=int, help="time limit of a cell (60)")
     options = parser.parse_args()
+    if options.grade and not options.grade.is_dir():
+        sys.exit(f"there is no folder {options.grade}")
     lessons = []
     for number in options.lessons:
         found = sorted((ROOT / "notebooks").glob(f"{number:0>2}-*.ipynb"))
         lessons += found or sys.exit(f"there is no lesson {number}")
     course = Course(options.out, lessons, options.seconds)
     warnings.filterwarnings("ignore", module="nbgrader")  # what its database says to its authors
-    if not (options.grade and (options.out / "source" / course.name).exists()):  # graded is what was handed out
-        course.build()
+    if not (options.grade and (options.out / "release" / course.name).exists()):  # graded is what was handed out
+        course.build(assignment)
         print(f"for the learners: {os.path.relpath(options.out / 'release' / course.name)}")
     if options.grade:
-        rows = course.grade(options.grade)
-        if not rows:
-            sys.exit(f"{options.grade} has no folders of learners")
-        write(rows, options.out)
-        print(table(rows))
-        print(f"\nalso in {os.path.relpath(options.out / 'points.csv')} and answers.csv")
+        grade(course, options.grade)
+
+
+def grade(course, folder):
+    """Grade a folder of answers; print and keep what came out."""
+    rows, jobs, said = course.grade(folder)
+    if not rows:
+        sys.exit("\n".join([f"{folder} has no notebooks and no folders of learners.", *said]))
+    write(rows, course.folder)
+    print(f"\n{table(rows, jobs)}\n\n{report(jobs, said)}")
+    print(f"\nThe points are also in {os.path.relpath(course.folder / 'points.csv')}, the sentences in answers.csv.")
 
 
 if __name__ == "__main__":
