@@ -204,7 +204,7 @@ def test_what_is_printed_of_the_eleven(eleven):
     assert re.search(r"^eva .* 0/9   04 not graded; 05 nothing handed in$", table, re.MULTILINE)
     assert "04.2 fuse: 7 of 11 right" in table
     lines = table.partition("What was done:")[2].splitlines()
-    assert lines[0] == " Notebooks graded: 15, of these from the lesson itself: 2."
+    assert lines[0] == " 15 graded, of these from the lesson itself: 2."
     absent = [f"{name} (lesson 05)" for name in ("ben", "cem", "dan", "eva", "ida", "kim")]
     assert lines[1] == f"- Nothing was handed in by {', '.join(absent)}."
     for about in [

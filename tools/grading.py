@@ -218,7 +218,7 @@ def report(jobs, said):
     """What was done with the files, and who handed in nothing: a sentence a line."""
     number = sum(not job.trouble for job in jobs)
     from_lesson = sum(job.note == "from the lesson itself" for job in jobs)
-    lines = [f"What was done. Notebooks graded: {number}, of these from the lesson itself: {from_lesson}."]
+    lines = [f"What was done: {number} graded, of these from the lesson itself: {from_lesson}."]
     absent = {}
     for job in jobs:
         if job.trouble == NOTHING:
