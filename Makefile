@@ -42,7 +42,7 @@ notebooks: $(READY)       ## execute every lesson again, in place
 
 site: $(MORE)             ## the course as a web page, in build/site; then all its pages, links and sliders are tried
 	$(BIN)/python tools/site.py
-	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n 2 --dist=load tests/test_site.py
+	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n 2 --dist=load tests/test_site.py tests/test_page.py
 
 assignment: $(MORE)       ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
 	$(BIN)/python tools/assignment.py $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")

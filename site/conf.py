@@ -2,12 +2,22 @@
 
 import json
 import re
+import sys
+import textwrap
 from pathlib import Path, PurePath
 
 from docutils import nodes
 from math_core import LatexToMathML
 
+sys.path.append(str(Path(__file__).parent))
+import teaches
+
+HERE = Path(__file__).parent
+GLOSSARY = (HERE / "appendix-glossary.md").read_text(encoding="utf-8")
+facts = json.loads((HERE / "facts.json").read_text(encoding="utf-8"))  # see about.py
+
 project = "Kalman filtering, hands on"
+version = release = facts["version"]
 html_title = project
 language = "en"
 extensions = ["myst_nb"]
@@ -21,6 +31,11 @@ myst_heading_anchors = 2
 html_theme = "furo"
 html_theme_options = {"footer_icons": []}
 html_static_path = ["static"]
+html_extra_path = ["extra"]
+templates_path = ["templates"]
+html_context = facts
+html_baseurl = facts["site"]
+html_search_scorer = str(HERE / "scorer.js")
 html_favicon = "static/favicon.svg"
 html_css_files = ["course.css"]
 html_js_files = [("playground.js", {"defer": "defer"})]
@@ -62,11 +77,16 @@ EQUATIONS = {}  # number → the pages that have it
 
 
 def collect(app, doctree):
-    """Remember where equations are; give pictures the words that the notebook has for them."""
+    """Remember where equations are; give words to the search, and to pictures."""
     for block in doctree.findall(nodes.math_block):
         for number in re.findall(NUMBER, block.astext()):
             EQUATIONS.setdefault(number, []).append(app.env.docname)
+    if words := teaches.words(app.env.docname, GLOSSARY):
+        doctree.append(nodes.meta(name="keywords", content=", ".join(words)))
     alts = json.loads(Path(app.srcdir, "alts.json").read_text(encoding="utf-8"))
+    for paragraph in doctree.findall(nodes.paragraph):
+        if re.search("^←|→$", paragraph.astext()):  # to the lessons before and after: not on paper
+            paragraph["classes"].append("onward")
     for image in doctree.findall(nodes.image):
         image["alt"] = image.get("alt") or alts.get(PurePath(image["uri"]).stem, "")
 
@@ -101,7 +121,31 @@ def destination(app, docname, equation, lesson):
     return pages[0] if pages and pages[0] != docname else None, ""
 
 
+# ---- around each page
+
+
+def around(app, docname, template, context, doctree):
+    """For the template page.html: the page's description, its notebook. Some pages have a style of their own."""
+    context["description"] = description(doctree) or project
+    notebook = Path("notebooks", docname).with_suffix(".ipynb")
+    context["notebook"] = str(notebook) if Path(app.srcdir, "extra", notebook).exists() else None
+    if docname == "appendix-cheat-sheet":
+        app.add_css_file("sheet.css", media="print", priority=900)
+
+
+def description(doctree, most=160):
+    """The first sentences of a page, as many as fit."""
+    first = next(doctree.findall(nodes.paragraph)).astext() if doctree else ""
+    sentences = re.split(r"(?<=[.?!])\s+", " ".join(first.split()))
+    fitting = [" ".join(sentences[: i + 1]) for i in range(len(sentences))]
+    return next(
+        (text for text in reversed(fitting) if len(text) <= most),
+        textwrap.shorten(sentences[0], most, placeholder=" …"),
+    )
+
+
 def setup(app):
     app.add_html_math_renderer("mathml", (formula, None), (formulas, None))
     app.connect("doctree-read", collect)
     app.connect("doctree-resolved", refer)
+    app.connect("html-page-context", around)

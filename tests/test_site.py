@@ -1,23 +1,17 @@
-"""The web page of the course: built from two lessons, read as files, then used in a real browser.
+"""The web page of the course: built from three lessons, read as files, then used in a real browser.
 
 `make site` sets KFLEARN_SITE to the folder of the page it has built: then all of that page is tested.
 """
 
 import json
-import os
 import re
-import subprocess
 import sys
-import threading
-from functools import partial
-from html.parser import HTMLParser
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import numpy as np
 import pytest
-from lab import CHROMIUM, ROOT, browser
+from lab import ROOT
+from web import FUSION, LESSONS, VOLTMETER
 
 from kflearn.controls import choice, log_slider, slider
 from kflearn.playground import Playground
@@ -26,9 +20,6 @@ sys.path.append(str(ROOT / "tools"))
 import frames
 
 pytestmark = pytest.mark.timeout(300)  # half a minute on an idle machine; less when the pictures are in build/frames
-FUSION, VOLTMETER = "04-gaussian-fusion.html", "05-voltmeter.html"
-BUILT = os.environ.get("KFLEARN_SITE")
-LESSONS = sorted(path.name for path in Path(BUILT).glob("[0-9][0-9]-*.html")) if BUILT else [FUSION, VOLTMETER]
 
 
 # ---- the pictures of a playground
@@ -92,45 +83,6 @@ def test_too_many_bytes_make_fewer_pictures(tmp_path, monkeypatch):
 # ---- the pages as files
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory):
-    """The folder of a page of two lessons. Its build is silent: Sphinx had nothing to warn of."""
-    if BUILT:
-        return Path(BUILT)
-    out = tmp_path_factory.mktemp("site") / "site"
-    command = [sys.executable, "tools/site.py", "--only", "04,05", "--out", str(out)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    assert "WARNING" not in done.stderr
-    return out
-
-
-class Page(HTMLParser):
-    """What an HTML file refers to: `.links` that one follows, `.parts` that are loaded; `.ids`; `.images`."""
-
-    def __init__(self, path):
-        super().__init__()
-        self.links, self.parts, self.ids, self.images = [], [], set(), []
-        self.feed(path.read_text(encoding="utf-8"))
-
-    def handle_starttag(self, tag, attributes):
-        attributes = dict(attributes)
-        self.ids.add(attributes.get("id"))
-        if tag == "a" and "href" in attributes:
-            self.links.append(attributes["href"])
-        if tag in ("link", "use") and "href" in attributes:
-            self.parts.append(attributes["href"])
-        if "src" in attributes:
-            self.parts.append(attributes["src"])
-        if tag == "img":
-            self.images.append(attributes)
-
-
-@pytest.fixture(scope="module")
-def pages(site):
-    return {path.name: Page(path) for path in site.glob("*.html")}
-
-
 def test_everything_referred_to_is_there(site, pages):
     assert set(pages) >= {"index.html", *LESSONS}
     for name, page in pages.items():
@@ -182,57 +134,6 @@ def test_the_words_can_be_searched(site):
 
 
 # ---- the pages in a browser
-
-
-@pytest.fixture(scope="module")
-def address(site):
-    """Where a server shows the page."""
-
-    class Quiet(SimpleHTTPRequestHandler):
-        def log_message(self, *args):
-            pass
-
-    class Patient(ThreadingHTTPServer):
-        def handle_error(self, request, client_address):
-            """A page was closed while its pictures were still coming."""
-            if not isinstance(sys.exception(), ConnectionError):
-                super().handle_error(request, client_address)
-
-    with Patient(("127.0.0.1", 0), partial(Quiet, directory=str(site))) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
-        thread.join()
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    if not CHROMIUM:
-        pytest.skip("no chromium, chromium-browser or google-chrome on the PATH")
-    with browser() as chromium:
-        yield chromium
-
-
-@pytest.fixture
-def tab(chromium, address):
-    """Opens a page in a window of some width; fails afterwards if anything went wrong in the browser."""
-    troubles, tabs = [], []
-
-    def go(name, width=1280, **options):
-        tab = chromium.new_page(viewport={"width": width, "height": 850}, **options)
-        tabs.append(tab)
-        tab.on("console", lambda message: troubles.append(message.text) if message.type == "error" else None)
-        tab.on("pageerror", lambda error: troubles.append(str(error)))
-        tab.on("response", lambda response: troubles.append(response.url) if response.status >= 400 else None)
-        tab.on("request", lambda r: None if r.url.startswith((address, "data:")) else troubles.append(r.url))
-        tab.goto(address + name)
-        return tab
-
-    yield go
-    for tab in tabs:
-        tab.close()
-    assert not troubles
 
 
 SEEN = """async figure => {

@@ -120,11 +120,20 @@ def describe(control, values):
     """A control for the page: its label with LaTeX, its plain name, and a text for each of its values."""
     unit = getattr(control, "unit", "")
     if isinstance(control, Slider):
-        texts = [f"{value:g} {unit}".rstrip() for value in values]
+        texts = [f"{written(value)} {unit}".rstrip() for value in values]
     else:
         texts = ["off", "on"] if isinstance(control, Toggle) else [str(value) for value in values]
     plain = re.sub(r"[$\\{}]", "", control.label)
     return {"label": control.label, "name": plain, "slider": isinstance(control, Slider), "texts": texts}
+
+
+def written(value):
+    """A number as one writes it by hand: 0.25, but 10⁻⁶ and 5.18·10⁷."""
+    digits, _, power = f"{value:g}".partition("e")
+    if not power:
+        return digits
+    ten = "10" + str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return ten if digits == "1" else f"{digits}·{ten}"
 
 
 def small(png):

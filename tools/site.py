@@ -6,6 +6,9 @@
 The committed notebooks with their outputs become pages. Each playground becomes pictures for a grid of its controls'
 values, and controls which choose among them; for these a lesson is executed once, up to its last playground, and the
 pictures stay in build/frames until the lesson or the package changes. Nothing is downloaded.
+
+Each page leads on: to its notebook, to the whole course as course.zip, and, once these addresses are known, to the
+course's repository (`site/about.py` says where they are set).
 """
 
 import argparse
@@ -23,11 +26,14 @@ from pathlib import Path
 
 import nbformat
 
+sys.path.append(str(Path(__file__).parent.parent / "site"))
+import about
+import card
+import teaches
+
 ROOT = Path(__file__).parent.parent
 NOTEBOOKS, PACKAGE, FRAMES = ROOT / "notebooks", ROOT / "kflearn", ROOT / "build" / "frames"
 LINK = r"\[([^\]]*)\]\(([\w-]+\.(?:ipynb|md))\)"
-NOTE = """<p class="note">To change the code and have your answers checked, open <code>notebooks/{}</code> in JupyterLab
-(<a href="index.html#start">how</a>). <span class="phone">Tap a picture to see it larger.</span></p>"""
 ONE_AT_A_TIME = "On this page one slider moves at a time, the others go back to their start. In JupyterLab all move."
 
 
@@ -116,9 +122,10 @@ def mathematics(text):
 # ---- the pages
 
 
-def page(name, notebook, folder, pages):
+def page(notebook, note, folder, pages):
     """Make a notebook into a page for Sphinx, in place; returns the alternative texts of its pictures by their hash."""
     alts, number = {}, 0
+    notebook.cells[0].source = about.without(about.STORED, notebook.cells[0].source)
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             cell.source = relink(cell.source, pages)
@@ -130,7 +137,7 @@ def page(name, notebook, folder, pages):
                     shown = figure(folder / str(number), f"{folder.name}/{number}")
                     cell.outputs[i] = nbformat.v4.new_output("display_data", {"text/html": shown})
                     number += 1
-    notebook.cells.insert(1, nbformat.v4.new_markdown_cell(NOTE.format(name)))
+    notebook.cells.insert(1, nbformat.v4.new_markdown_cell(note))
     notebook.metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     return alts
 
@@ -167,15 +174,15 @@ def prepare(lessons, folder):
     notebooks = [nbformat.read(path, as_version=4) for path in lessons]
     with ThreadPoolExecutor(2) as pool:
         frames = list(pool.map(film, [path.stem for path in lessons], notebooks))
-    shutil.copytree(ROOT / "site", folder)
+    shutil.copytree(ROOT / "site", folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(NOTEBOOKS / "pictures", folder / "pictures")
     maths_font(folder / "static" / "maths.woff")
-    texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))} | {
-        "class-server.md": ROOT / "class" / "README.md"
-    }
+    texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))}
+    texts |= {"class-server.md": ROOT / "class" / "README.md", "changelog.md": ROOT / "CHANGELOG.md"}
     pages, alts = [*(path.name for path in lessons), *texts], {}
+    facts = leads(lessons, pages, folder)
     for path, notebook, pictures in zip(lessons, notebooks, frames, strict=True):
-        alts |= page(path.name, notebook, pictures, pages)
+        alts |= page(notebook, about.note(path.name, facts["zip"]), pictures, pages)
         nbformat.write(notebook, folder / path.name)
         for picture in pictures.glob("*/*.webp"):
             copy = folder / "static" / "frames" / picture.relative_to(FRAMES)
@@ -184,12 +191,36 @@ def prepare(lessons, folder):
     for name, path in texts.items():
         (folder / name).write_text(relink(path.read_text(encoding="utf-8"), pages), encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("](notebooks/", "](")
-    readme = readme.replace("](class/README.md)", "](class-server.md)")
-    (folder / "README.md").write_text(relink(readme, pages), encoding="utf-8")
+    readme = readme.replace("](class/README.md)", "](class-server.md)").replace("](CHANGELOG.md)", "](changelog.md)")
+    (folder / "README.md").write_text(relink(about.without(about.FOLDER, readme), pages), encoding="utf-8")
     (folder / "alts.json").write_text(json.dumps(alts), encoding="utf-8")
     index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(frames))
+    index = index.replace("WHERE", about.where(facts))
     toctree = "\n".join(["", "```{toctree}", ":hidden:", *pages, "```", ""])
     (folder / "index.md").write_text(index + toctree, encoding="utf-8")
+
+
+def leads(lessons, pages, folder):
+    """Write what the pages lead to, and what leads to them; returns the facts on the course, as in facts.json."""
+    facts, extra = about.settings(ROOT), folder / "extra"
+    shutil.copytree(NOTEBOOKS, extra / "notebooks", ignore=lambda _, names: {*names} - {path.name for path in lessons})
+    facts |= {"zip": about.archive(ROOT, extra / "course.zip"), "picture_alt": card.ALT}
+    (folder / "facts.json").write_text(json.dumps(facts), encoding="utf-8")
+    (folder / "static" / "card.png").write_bytes(card.card())
+    glossary = (NOTEBOOKS / "appendix-glossary.md").read_text(encoding="utf-8")
+    rewrite(folder / "scorer.js", "TAUGHT", teaches.as_json(glossary))
+    start = "/".join(filter(None, [facts["site"], "index.html"]))
+    rewrite(extra / "404.html", "START", start)
+    if site := facts["site"]:
+        names = ["index.html", *(f"{Path(name).stem}.html" for name in pages)]
+        (extra / "sitemap.xml").write_text(about.sitemap(names, site), encoding="utf-8")
+        (extra / "robots.txt").write_text(f"User-agent: *\nAllow: /\nSitemap: {site}/sitemap.xml\n", encoding="utf-8")
+    return facts
+
+
+def rewrite(path, word, text):
+    """Put a text into a file, in place of a word in capitals."""
+    path.write_text(path.read_text(encoding="utf-8").replace(word, text), encoding="utf-8")
 
 
 def main():
