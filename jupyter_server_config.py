@@ -1,8 +1,12 @@
-"""Jupyter's server for the course: sliders answer 40 ms sooner. Everything else, the token included, stays as it is.
+"""Jupyter's server for the course: sliders answer 40 ms sooner, and nbgrader's part in the server is off. Everything
+else, the token included, stays as it is.
 
-`make course` puts this folder in front of the places where Jupyter looks for its configuration (JUPYTER_CONFIG_PATH).
-Without it the system holds back each small message to the browser until the one before is acknowledged (Nagle's
-algorithm). Here every message leaves at once.
+`make course` and the class server put this folder in front of the places where Jupyter looks for its configuration
+(JUPYTER_CONFIG_PATH). So JupyterLab also finds labconfig/page_config.json beside this file. It switches off what a
+learner should not meet: nbgrader's button, menu and side bar, and the pop-up that asks about news of Jupyter.
+
+Sliders: as Jupyter comes, the system holds back each small message to the browser until the one before is acknowledged
+(Nagle's algorithm). Here every message leaves at once.
 """
 
 from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
@@ -18,3 +22,7 @@ class PromptConnection(ZMQChannelsWebsocketConnection):
 
 c = get_config()  # noqa: F821 (Jupyter puts this function here)
 c.ServerApp.kernel_websocket_connection_class = PromptConnection
+
+# nbgrader comes with `make .venv/more`. Learners get none of it: its button says "Success!" for an unanswered lesson.
+parts = ("formgrader", "validate_assignment", "assignment_list", "course_list")
+c.ServerApp.jpserver_extensions = {f"nbgrader.server_extensions.{part}": False for part in parts}

@@ -21,9 +21,13 @@ import sys
 from pathlib import Path
 from urllib.parse import urlencode
 
+from jupyterhub.app import JupyterHub
 from jupyterhub.spawner import LocalProcessSpawner
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+from obstacles import obstacle  # noqa: E402
+
 COURSE, FIRST = "kalman", "notebooks/00-start-here.ipynb"
 
 
@@ -45,6 +49,9 @@ class ClassSpawner(LocalProcessSpawner):
 def named(variable, otherwise):
     return os.environ.get(variable, otherwise)
 
+
+if JupyterHub.initialized() and (found := obstacle(named("CLASS_REPOSITORY", ""))):  # only when a hub starts
+    sys.exit(f"The class server was not started. {found}")
 
 c = get_config()  # noqa: F821 (JupyterHub puts this function here)
 
@@ -76,7 +83,7 @@ c.Spawner.cmd = [str(Path(sys.executable).with_name("jupyterhub-singleuser"))]
 c.Spawner.notebook_dir = "~"
 c.Spawner.mem_limit = named("CLASS_MEMORY", "2G")
 c.Spawner.environment = {
-    "JUPYTER_CONFIG_PATH": str(HERE.parent),  # jupyter_server_config.py: sliders answer 40 ms sooner
+    "JUPYTER_CONFIG_PATH": str(HERE.parent),  # jupyter_server_config.py and labconfig
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",
 }

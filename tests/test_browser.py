@@ -100,3 +100,26 @@ def test_playground_in_jupyterlab(tmp_path):
 
         lab.reset()
         assert same_everywhere(lab) == (start, first)
+
+
+@pytest.mark.browser
+@pytest.mark.timeout(240)
+@pytest.mark.skipif(not CHROMIUM, reason="no chromium, chromium-browser or google-chrome on the PATH")
+def test_the_keys_of_lesson_0_lead_to_its_slider(tmp_path):
+    """Its words: "press Shift+Tab twice right after Shift+Enter; then the arrow keys move it"."""
+    shutil.copy(ROOT / "notebooks" / "00-start-here.ipynb", tmp_path)
+    cells = json.loads((tmp_path / "00-start-here.ipynb").read_text(encoding="utf-8"))["cells"]
+    first = next(i for i, cell in enumerate(cells) if "".join(cell["source"]).endswith("\nbell"))
+    with server(tmp_path) as url, browser() as chromium:
+        lab = Lab(chromium, url, "00-start-here.ipynb")
+        lab.page.locator(".jp-Cell").first.click()
+        for _ in range(first + 1):
+            lab.page.keyboard.press("Shift+Enter")
+        lab.page.locator(".noUi-handle").nth(1).wait_for()
+        before = lab.numbers()
+        lab.page.keyboard.press("Shift+Tab")
+        lab.page.keyboard.press("Shift+Tab")
+        assert lab.page.evaluate("document.activeElement.className").startswith("noUi-handle")
+        lab.page.keyboard.press("ArrowRight")
+        lab.settle()
+        assert lab.numbers() != before

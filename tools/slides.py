@@ -5,6 +5,10 @@
 The slides are the lesson as it is stored, up to its exercises: a heading begins a slide (to the right), what does not
 fit continues below (down). The code of pictures is left out. Everything is in the one file: reveal.js from the package
 sphinx-revealjs, formulas written by math-core.
+
+A lesson is cut into pieces: a paragraph, a table, the code of a cell, one of its outputs. The height of each is
+estimated, and `pages` fills slides with them; a picture then takes the room that is left. tests/test_slides.py measures
+all slides in a browser. Should one be too high with other fonts, the script at the end of `TEMPLATE` makes it smaller.
 """
 
 import argparse
@@ -12,9 +16,13 @@ import html
 import re
 import sys
 from base64 import b64decode
+from functools import cache
 from importlib.util import find_spec
 from io import BytesIO
+from itertools import pairwise
+from math import ceil
 from pathlib import Path
+from typing import NamedTuple
 
 import nbformat
 from math_core import LatexToMathML
@@ -23,19 +31,27 @@ from PIL import Image
 from traitlets.config import Config
 
 ROOT = Path(__file__).parent.parent
-LINES, WIDTH = 21, 82  # that fit on a slide
+ROOM, WIDE = 650, 1184  # px of a slide of 1280 × 720 that can be filled
+LETTERS = 88  # in a line of text
+SMALL = 96  # code with a line longer than this is set smaller
+LIVE_ONLY = "*The outputs below are stored"  # begins a paragraph that means the notebook
 STYLE = """<style>
-.reveal { font-size: 22px; }
+.reveal { font-size: 24px; }
 .reveal .slides { text-align: left; }
-.reveal h1, .reveal h2 { font-size: 1.7em; text-transform: none; margin: 0 0 0.5em; }
+.reveal .slides > section > section { box-sizing: border-box; padding: 32px 48px 0; }
+.reveal h1, .reveal h2 { font-size: 1.6em; text-transform: none; margin: 0 0 0.5em; }
+.reveal .jp-Cell { padding: 0; }
 .reveal p { margin: 0.5em 0; line-height: 1.4; }
-.reveal img { max-height: 460px; width: auto; margin: 0; }
-.reveal pre { font-size: 0.8em; white-space: pre-wrap; width: 100%; margin: 0.3em 0; box-shadow: none; }
+.reveal li { line-height: 1.4; }
+.reveal img { max-width: none; max-height: none; margin: 0; }
+.reveal { --jp-code-font-size: 19px; --jp-code-line-height: 1.3; }
+.reveal .celltag_small { --jp-code-font-size: 16px; }
+.reveal pre { font-size: var(--jp-code-font-size); line-height: 1.3; white-space: pre; width: 100%; margin: 0.3em 0;
+box-shadow: none; }
 .reveal .jp-Cell-inputWrapper, .reveal .jp-RenderedHTMLCommon { font-size: 1em; }
 .reveal .jp-InputPrompt, .reveal .jp-OutputPrompt, .reveal .jp-InputCollapser, .reveal .jp-OutputCollapser
 { display: none; }
 .reveal table { font-size: 0.8em; }
-details { display: none; }
 .reveal .slide-number { right: auto; left: 8px; }
 math[display="block"] { margin: 0.6em 0; }
 </style>"""
@@ -46,13 +62,37 @@ TEMPLATE = """{% extends 'reveal/index.html.j2' %}
 {% block html_head_js_mermaidjs %}{% endblock %}
 {% block html_head_js_mathjax %}{% endblock %}
 {% block footer_js %}<script>
-Reveal.initialize({hash: true, center: false, controls: true, progress: true, slideNumber: "c/t", transition: "none"});
+function fit({currentSlide}) {
+  const bottom = element => element.getBoundingClientRect().bottom;
+  const tooHigh = () => bottom(currentSlide.lastElementChild) > bottom(document.querySelector(".slides"));
+  for (let zoom = 0.95; zoom > 0.4 && tooHigh(); zoom -= 0.05) currentSlide.style.zoom = zoom;
+}
+Reveal.on("ready", fit);
+Reveal.on("slidechanged", fit);
+Reveal.initialize({hash: true, center: false, controls: true, progress: true, slideNumber: "c/t", transition: "none",
+                   width: 1280, height: 720, margin: 0});
 </script>{% endblock %}"""
+
+
+class Piece(NamedTuple):
+    """What is not cut: a cell of the slides with its height in px.
+
+    begins : it is a heading, which begins a slide
+    announces : it wants what follows on its own slide
+    """
+
+    cell: nbformat.NotebookNode
+    height: float
+    begins: bool = False
+    announces: bool = False
+
+
+# ---- text
 
 
 def paragraphs(text):
     """The parts of a text cell that stay together: paragraphs, lists, tables, formulas, headings."""
-    return [part for part in re.split(r"\n\n+", text) if part.strip()]
+    return [part for part in re.split(r"\n\n+", text) if part.strip() and not part.startswith(LIVE_ONLY)]
 
 
 def formulas(text):
@@ -67,86 +107,164 @@ def formulas(text):
     return re.sub(r"(`[^`]*`)|\$\$(.*?)\$\$|\$([^$]+)\$", one, text, flags=re.DOTALL)
 
 
-def is_heading(part):
-    return re.match(r"#{1,2} ", part) is not None
+def seen(line):
+    """A line of Markdown about as long as it is seen: no addresses of links, no commands of LaTeX."""
+    return re.sub(r"\]\([^)]*\)|\\[a-z]+|[{}$*`\[\\]", "", line)
+
+
+def rows(line, letters=LETTERS):
+    """How many lines on the slide a line of Markdown takes."""
+    return 1 + (len(seen(line)) - 1) // letters
+
+
+def table_height(part):
+    """A table's height: a row is as high as the fullest of its cells, and long cells share the width."""
+    cells = [[len(seen(cell)) for cell in line.strip("| ").split("|")] for line in part.splitlines()]
+    widths = [max(column) for column in zip(*cells, strict=False)]
+    narrow = max(1, sum(widths) / (1.1 * LETTERS))
+    lines = [max(length * narrow / wide for length, wide in zip(row, widths, strict=False)) for row in cells]
+    return sum(10 + 24 * ceil(most) for most in lines) - 24
 
 
 def height(part):
-    """Lines that a paragraph takes on a slide."""
+    """The height of a paragraph on a slide, in px."""
     if part.startswith("$$"):
-        return 3 + 2 * part.count(r"\begin")
+        breaks = max(block.count(r"\\") for block in part.split(r"\end"))  # of lines, in the highest matrix
+        return (96 if "frac" in part or breaks else 56) + 33 * max(0, breaks - 1)
     if part.startswith("|"):
-        return part.count("\n") + 1
-    return sum(1 + len(line) // WIDTH for line in part.splitlines()) + (2 if is_heading(part) else 0.6)
+        return table_height(part)
+    if part.startswith("#"):
+        return 24 + 48 * rows(part, 55)
+    return 24 + 34 * sum(map(rows, part.splitlines()))
 
 
-def pictures(cell):
-    return [output.data["image/png"] for output in cell.outputs if "image/png" in output.get("data", {})]
+def text_piece(part):
+    begins = re.match(r"#{1,2} ", part) is not None
+    unfinished = re.search(r"[\w:]\**\s*$", part) is not None  # no full stop: a formula, code or a picture follows
+    return Piece(nbformat.v4.new_markdown_cell(part), height(part), begins, begins or unfinished)
 
 
-def code_cell(cell):
-    """A code cell as it is shown, and its height; None when there is nothing to see."""
-    shown = pictures(cell)
-    lines = 0.0
-    for picture in shown:
-        wide, high = Image.open(BytesIO(b64decode(picture))).size
-        lines += min(460, high * min(1, 920 / wide)) / 29 + 0.5
-    for output in cell.outputs:
-        if output.output_type == "stream":
-            lines += 1 + output.text.count("\n")
-        elif "data" in output and not shown:
-            lines += 1 + output.data.get("text/plain", "").count("\n")
-    code = cell.source.count("\n") + 1
-    if shown or code > LINES - 4:
-        cell.metadata.tags = ["no-code"]
-    else:
-        lines += 0.9 * code + 1
-    return (cell, lines) if cell.outputs or code <= 6 else None
+# ---- code and outputs
 
 
-def blocks(notebook):
-    """What is shown, piece by piece: (cell, height, whether it begins a slide)."""
+def code_piece(source, announces):
+    """The code of a cell, without its outputs; it announces them if there are any."""
+    cell, lines = nbformat.v4.new_code_cell(source), source.splitlines()
+    small = max(map(len, lines)) > SMALL
+    cell.metadata.tags = ["small"] if small else []
+    return Piece(cell, 30 + (20.8 if small else 24.7) * len(lines), announces=announces)
+
+
+def picture(output):
+    return output.get("data", {}).get("image/png")
+
+
+def picture_size(output):
+    return Image.open(BytesIO(b64decode(picture(output)))).size
+
+
+def output_piece(output):
+    """An output on its own; a picture at nine tenths of its size, which `enlarge` changes."""
+    cell = nbformat.v4.new_code_cell(outputs=[output], metadata={"tags": ["no-code"]})
+    if picture(output):
+        return Piece(cell, 20 + 0.9 * picture_size(output)[1], announces=True)
+    text = output.text if output.output_type == "stream" else output.data["text/plain"]
+    return Piece(cell, 24 + 24.7 * sum(1 + len(line) // SMALL for line in text.splitlines()))
+
+
+def code_pieces(cell):
+    """What is shown of a code cell: its outputs, and before them its code unless it draws."""
+    in_words = "text/html"  # of a figure, for those who cannot see it: its alternative text says the same
+    outputs = [output for output in cell.outputs if in_words not in output.get("data", {})]
+    if not any(map(picture, outputs)) and (outputs or cell.source.count("\n") < 6):
+        yield code_piece(cell.source, bool(outputs))
+    yield from map(output_piece, outputs)
+
+
+# ---- slides
+
+
+def pieces(notebook):
+    """What is shown, piece by piece, up to the exercises."""
     for cell in notebook.cells:
         if cell.cell_type == "code":
-            if piece := code_cell(cell):
-                yield *piece, False
+            yield from code_pieces(cell)
             continue
         for part in paragraphs(cell.source):
             if re.match("## Exercises", part):
                 return
-            yield nbformat.v4.new_markdown_cell(part), height(part), is_heading(part)
+            yield text_piece(part)
 
 
-def deck(notebook):
+def together(pieces):
+    """The height of the first piece and of those that it wants on its slide, as far as a slide can hold them."""
+    total = pieces[0].height
+    for piece, following in pairwise(pieces):
+        if not piece.announces or following.begins or total + following.height > ROOM:
+            break
+        total += following.height
+    return total
+
+
+def pages(pieces):
+    """The pieces slide by slide."""
+    found = []
+    for number, piece in enumerate(pieces):
+        if piece.begins or not found:
+            found.append([piece])
+            continue
+        page = found[-1]
+        announced = all(before.announces for before in page)
+        needed = piece.height if announced else together(pieces[number:])
+        if sum(before.height for before in page) + needed > ROOM:
+            found.append([piece])
+        else:
+            page.append(piece)
+    return found
+
+
+def enlarge(page):
+    """Give a slide's pictures the room that its other pieces leave."""
+    outputs = [output for piece in page for output in piece.cell.get("outputs", []) if picture(output)]
+    spare = (ROOM - sum(piece.height for piece in page)) / max(1, len(outputs))
+    for output in outputs:
+        wide, high = picture_size(output)
+        scale = min(1.4, WIDE / wide, 0.9 + spare / high)
+        output.metadata["image/png"] |= {"width": round(scale * wide), "height": round(scale * high)}
+
+
+def deck(notebook, name):
     """The notebook of the slides: cells with the marks that nbconvert reads."""
-    cells, used = [], 0.0
-    pieces = list(blocks(notebook))
-    for number, (cell, lines, begins) in enumerate(pieces):
-        following = pieces[number + 1] if number + 1 < len(pieces) else (None, 0, True)
-        # a heading, a sentence that ends in a colon and a picture keep what follows them on their slide
-        announces = begins or cell.source.rstrip().endswith(":") if cell.cell_type == "markdown" else pictures(cell)
-        together = lines + (following[1] if announces and not following[2] else 0)
-        kind = "slide" if begins else "subslide" if used > 4 and used + min(together, LINES) > LINES else "-"
-        used = lines if kind != "-" else used + lines
-        cell.metadata.slideshow = {"slide_type": kind}
-        cells.append(cell)
-    notebook.cells = cells
+    end = f"Continue in the notebook **{name}**: its sliders move the pictures, its exercises check your answers."
+    found = pages([*pieces(notebook), text_piece("## Now you"), text_piece(end)])
+    for page in found:
+        enlarge(page)
+        for piece in page:
+            piece.cell.metadata.slideshow = {"slide_type": "-"}
+        page[0].cell.metadata.slideshow.slide_type = "slide" if page[0].begins else "subslide"
+    notebook.cells = [piece.cell for page in found for piece in page]
     return notebook
+
+
+@cache
+def exporter():
+    """What nbconvert makes slides with; it is slow to start, so all lessons share it."""
+    config = Config()
+    config.TagRemovePreprocessor.remove_input_tags = {"no-code"}
+    config.TagRemovePreprocessor.enabled = True
+    made = SlidesExporter(config=config, raw_template=TEMPLATE)
+    made.exclude_input_prompt = made.exclude_output_prompt = True
+    return made
 
 
 def slides(path):
     """The HTML of a lesson's slides, complete in itself."""
-    notebook = deck(nbformat.read(path, as_version=4))
+    notebook = deck(nbformat.read(path, as_version=4), path.stem)
+    file_beside = r"\[([^\]]*)\]\((?!https?:)[^)]*\)"  # the slides are one file: of such a link the words stay
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
-            cell.source = formulas(re.sub(r"\[([^\]]*)\]\(\d\d-[\w-]+\.ipynb\)", r"\1", cell.source))
-    config = Config()
-    config.TagRemovePreprocessor.remove_input_tags = {"no-code"}
-    config.TagRemovePreprocessor.enabled = True
-    exporter = SlidesExporter(config=config, raw_template=TEMPLATE)
-    exporter.exclude_input_prompt = exporter.exclude_output_prompt = True
-    exporter.reveal_scroll = True
-    page, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": path.stem}})
+            cell.source = formulas(re.sub(file_beside, r"\1", cell.source))
+    page, _ = exporter().from_notebook_node(notebook, {"metadata": {"name": path.stem}})
     title = html.escape(notebook.cells[0].source.lstrip("# "))
     page = re.sub(r"<title>.*?</title>", f"<title>{title}</title>", page, count=1)
     page = re.sub(r'<link [^>]*href="https?://[^>]*>', "", page)
