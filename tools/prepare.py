@@ -88,7 +88,7 @@ def follow(process, log, folder, wanted):
     before, last, alive = installed(folder), "", sys.stdout.isatty()
     while process.poll() is None:
         time.sleep(0.5 if alive else 5)
-        with open(log) as file:
+        with open(log, encoding="utf-8", errors="replace") as file:
             fetched = sum(line.startswith("Collecting ") for line in file)
         done = min(wanted, max(0, installed(folder) - before))
         line = "installed {} of {} packages".format(done, wanted)
@@ -107,17 +107,17 @@ def install(folder, uv, what, wanted):
     python = os.path.join(folder, PROGRAMS, "python")
     command = [uv, "pip", "install", "--python", python] if uv else [python, "-m", "pip", "install"]
     log = os.path.join(folder, "install.log")
-    with open(log, "w") as file:
+    with open(log, "w", encoding="utf-8") as file:
         process = subprocess.Popen(command + what, cwd=ROOT, stdout=file, stderr=subprocess.STDOUT)
         failed = follow(process, log, folder, wanted)
     if failed:
-        with open(log) as file:
+        with open(log, encoding="utf-8", errors="replace") as file:
             last = file.read().splitlines()[-8:]
         sys.exit(STOPPED.format(log, "\n".join(last)))
 
 
 def pins(path):
-    with open(os.path.join(ROOT, path)) as file:
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
         return sum("==" in line for line in file)
 
 
@@ -135,7 +135,7 @@ def main():
     for path in files:
         install(folder, uv, ["--requirement", path], pins(path))
     install(folder, uv, ["--no-deps", "--editable", "."], 1)
-    open(os.path.join(folder, "ready"), "w").close()
+    open(os.path.join(folder, "ready"), "w", encoding="utf-8").close()
     print("The environment is ready.")
 
 

@@ -96,7 +96,7 @@ def update():
     driver = f"{shlex.quote(sys.executable)} {shlex.quote(__file__)} --merge %O %A %B %P"
     with tempfile.TemporaryDirectory() as folder:
         attributes = Path(folder, "attributes")
-        attributes.write_text("*.ipynb merge=lesson\n")
+        attributes.write_text("*.ipynb merge=lesson\n", encoding="utf-8")
         own = ["-c", f"merge.lesson.driver={driver}", "-c", f"core.attributesFile={attributes}"]
         git(*NAME, *own, "merge", "--quiet", "-X", "ours", "--message", "Update", "@{upstream}", check=False)
     if git("rev-parse", "-q", "--verify", "MERGE_HEAD", check=False):
