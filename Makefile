@@ -6,6 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
 MORE := $(VENV)/more
+FIRST := 00-start-here.ipynb
 ROOT := $(if $(filter 0,$(shell id -u)),--allow-root)
 define ROOT_NOTE
 @echo "You are root, as in a container or in WSL: JupyterLab is told that this is meant."
@@ -19,17 +20,17 @@ help:                     ## this list
 
 course: $(READY)          ## open the course in JupyterLab
 	$(if $(ROOT),$(ROOT_NOTE))
-	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab $(ROOT) notebooks/00-start-here.ipynb
+	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab $(ROOT) --LabApp.default_url=/lab/tree/$(FIRST) notebooks
 
 update: $(READY)          ## what is new in the course; your answers stay
 	@$(BIN)/python tools/update.py
-	@$(MAKE) --no-print-directory $(READY)
+	@$(MAKE) --no-print-directory --silent $(READY)
 
 reset: $(READY)           ## a lesson as it was when it came, LESSON=05; what you made of it is kept beside it
 	@$(BIN)/python tools/reset.py $(LESSON)
 
 clear: $(READY)           ## the lessons without outputs, for a class, in build/clear
-	rm -rf build/clear && mkdir -p build/clear && cp -r notebooks/*.md notebooks/pictures build/clear
+	rm -rf build/clear && mkdir -p build/clear && cp -r notebooks/appendix-*.md notebooks/pictures build/clear
 	$(BIN)/jupyter nbconvert --log-level=WARN --ClearOutputPreprocessor.enabled=True --to notebook --output-dir build/clear notebooks/[0-9][0-9]-*.ipynb
 
 test: $(MORE) $(if $(CI),browser)          ## lint, unit tests, lessons, browser
@@ -63,7 +64,7 @@ lint: $(READY)            ## mend the style of the code, as far as ruff can
 bench: $(MORE)            ## measure speed, memory and the whole test run: a quarter of an hour; writes BENCHMARKS.md
 	$(BIN)/python bench/report.py
 
-check-hard: $(MORE)       ## try to break everything: minutes, one table (PARTS="numbers inputs" for some of it)
+check-hard: $(MORE)       ## try to break everything: forty minutes, one table (PARTS="numbers inputs" for some of it)
 	$(BIN)/python -m hard $(PARTS)
 
 # On a CI machine without a browser: install Debian's, so that the browser tests run there too.
@@ -72,12 +73,13 @@ browser:
 	  || (apt-get update -qq && apt-get install -y -qq chromium)
 
 $(READY): requirements.txt pyproject.toml
-	@command -v $(PYTHON) > /dev/null || { echo "There is no Python here. The course needs Python 3.11 to 3.14: README.md tells where to get it."; exit 1; }
+	@command -v $(PYTHON) > /dev/null || { echo "There is no Python here. The course needs Python 3.11 to 3.14: see Start in README.md."; exit 1; }
 	@$(PYTHON) tools/prepare.py --folder $(VENV)
 
 $(MORE): requirements-more.txt $(READY)
 	@$(PYTHON) tools/prepare.py --folder $(VENV) requirements-more.txt
 	@touch $(MORE)
 
-clean:                    ## remove the environment and all that was built; lessons and answers stay
-	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .hypothesis
+clean:                    ## remove the environment and what was built; lessons, answers and points stay
+	rm -rf $(VENV) *.egg-info .pytest_cache .ruff_cache .hypothesis
+	[ ! -d build ] || find build -mindepth 1 -maxdepth 1 ! -name assignment ! -name class -exec rm -rf {} +

@@ -104,7 +104,7 @@ def test_new_text_comes_and_answers_stay(course, learner):
     work(learner)
     write(course, lesson(*NEW, run="1.61 V"))
     commit(course)
-    assert "1 files were new or changed, 1 of them lessons" in call(learner, "update")
+    assert "new or changed: 1, lessons among them: 1." in call(learner, "update")
     sources, printed = read(learner)
     assert list(sources) == ["title", "more", "run", "task", "own", "end"]
     assert sources["task"] == "answer = 12.1" and sources["own"] == "2 * answer"

@@ -98,7 +98,8 @@ def follow(process, log, folder, wanted):
             print(("\r" if alive else "") + line + "   ", end="" if alive else "\n")
             sys.stdout.flush()
         last = line
-    print("\r" if alive else "", end="")
+    if wanted > 1 and process.returncode == 0:
+        print(("\r" if alive else "") + "installed {0} of {0} packages   ".format(wanted))
     return process.returncode
 
 
@@ -130,7 +131,7 @@ def main():
     files = ["requirements.txt", *options.more]
     if not complete(folder):
         new_environment(folder, uv)
-    print("The environment in {} is being prepared, once: one or two minutes.".format(os.path.basename(folder)))
+    print("The environment in {} is being prepared: one to three minutes, this once.".format(os.path.basename(folder)))
     sys.stdout.flush()
     for path in files:
         install(folder, uv, ["--requirement", path], pins(path))
@@ -140,4 +141,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit("\nStopped. Give the command again.")

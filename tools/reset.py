@@ -4,10 +4,10 @@ import itertools
 import subprocess
 import sys
 
-from update import ROOT, git
+from update import OPEN, ROOT, git
 
 NO_CLONE = """This folder was not made by `git clone`, so the original lesson is not in it.
-The course's web page has each notebook to download."""
+Fetch the course again: its lessons are as they came."""
 
 
 def original(path):
@@ -35,7 +35,7 @@ def main(number):
     kept = aside(path)
     path.rename(kept)
     path.write_bytes(new)
-    print(f"{path.name} is as it came. Yours is {kept.name}, beside it.")
+    print(f"{path.name} is as it came. Yours is {kept.name}, beside it. {OPEN}")
 
 
 if __name__ == "__main__":

@@ -25,6 +25,9 @@ def git(*command, check=True):
     return done.stdout.strip()
 
 
+OPEN = "If a lesson is open and JupyterLab says File Changed, choose Revert."
+
+
 # ---- one lesson
 
 
@@ -102,8 +105,10 @@ def update():
     if git("rev-parse", "-q", "--verify", "MERGE_HEAD", check=False):
         settle()
     lessons = [name for name in changed if name.endswith(".ipynb")]
-    print(f"The course is up to date: {len(changed)} files were new or changed, {len(lessons)} of them lessons.")
-    print("Your answers are where they were. What is new is told in CHANGELOG.md.")
+    print(
+        f"The course is up to date. Files that were new or changed: {len(changed)}, lessons among them: {len(lessons)}."
+    )
+    print(f"Your answers are where they were. What is new is told in CHANGELOG.md. {OPEN}")
 
 
 if __name__ == "__main__":
