@@ -8,12 +8,13 @@ READY := $(VENV)/ready
 MORE := $(VENV)/more
 FIRST := 00-start-here.ipynb
 ROOT := $(if $(filter 0,$(shell id -u)),--allow-root)
+QUICK := $(addprefix tests/,core models results filters course test_house.py test_import.py) kflearn
 define ROOT_NOTE
 @echo "You are root, as in a container or in WSL: JupyterLab is told that this is meant."
 @echo "If no browser opens, open the address that JupyterLab prints."
 endef
 
-.PHONY: help course update reset clear test notebooks site assignment slides load picture lint bench check-hard browser clean
+.PHONY: help course update reset clear quick test notebooks site assignment slides load picture lint bench check-hard browser clean
 
 help:                     ## this list
 	@grep -E '^[a-z-]+:.*## ' Makefile | sed -E 's/:.*## /\t/' | awk -F '\t' '{ printf "make %-12s %s\n", $$1, $$2 }'
@@ -23,49 +24,56 @@ course: $(READY)          ## open the course in JupyterLab
 	JUPYTER_CONFIG_PATH="$(CURDIR):$$JUPYTER_CONFIG_PATH" $(BIN)/jupyter lab $(ROOT) --LabApp.default_url=/lab/tree/$(FIRST) notebooks
 
 update: $(READY)          ## what is new in the course; your answers stay
-	@$(BIN)/python tools/update.py
+	@$(BIN)/python -m dev.update
 	@$(MAKE) --no-print-directory --silent $(READY)
 
 reset: $(READY)           ## a lesson as it was when it came, LESSON=05; what you made of it is kept beside it
-	@$(BIN)/python tools/reset.py $(LESSON)
+	@$(BIN)/python -m dev.reset $(LESSON)
 
 clear: $(READY)           ## the lessons without outputs, for a class, in build/clear
 	rm -rf build/clear && mkdir -p build/clear && cp -r notebooks/appendix-*.md notebooks/pictures build/clear
 	$(BIN)/jupyter nbconvert --log-level=WARN --ClearOutputPreprocessor.enabled=True --to notebook --output-dir build/clear notebooks/[0-9][0-9]-*.ipynb
 
-test: $(MORE) $(if $(CI),browser)          ## lint, unit tests, lessons, browser
+quick: $(MORE)            ## what is tried in less than a minute: style, the house, filters and all they stand on
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/python -m pytest -n 2 -q --dist=worksteal -m "not slow" $(QUICK)
+
+test: $(MORE) $(if $(CI),browser)          ## style, types, unit tests, examples, lessons, browser
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/python -m mypy
 	$(BIN)/python -m pytest -n 2
 
 notebooks: $(READY)       ## execute every lesson again, in place
-	$(BIN)/python tools/notebooks.py
+	$(BIN)/python -m dev.notebooks
 
 site: $(MORE)             ## the course as a web page, in build/site; then all its pages, links and sliders are tried
-	$(BIN)/python tools/site.py
-	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n 2 --dist=load tests/test_site.py tests/test_page.py
+	$(BIN)/python -m dev.web.build
+	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n 2 --dist=load tests/dev/test_site.py tests/dev/test_page.py
 
 assignment: $(MORE)       ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
-	$(BIN)/python tools/assignment.py $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")
+	$(BIN)/python -m dev.teaching.assignment $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")
 
 slides: $(MORE)           ## slides of LESSON=04, in build/slides
-	$(BIN)/python tools/slides.py $(or $(LESSON),04)
+	$(BIN)/python -m dev.teaching.slides $(or $(LESSON),04)
 
 load: $(MORE)             ## a class of KERNELS=30 on this machine: memory, and time from slider to picture
-	$(BIN)/python tools/load.py $(KERNELS)
+	$(BIN)/python -m dev.teaching.load $(KERNELS)
 
 picture: $(MORE)          ## the picture in README.md, from JupyterLab in a browser
-	$(BIN)/python tools/picture.py
+	$(BIN)/python -m dev.picture
 
-lint: $(READY)            ## mend the style of the code, as far as ruff can
+lint: $(MORE)             ## mend the style of the code, as far as ruff can, and check types
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
+	$(BIN)/python -m mypy
 
 bench: $(MORE)            ## measure speed, memory and the whole test run: a quarter of an hour; writes BENCHMARKS.md
-	$(BIN)/python bench/report.py
+	$(BIN)/python -m dev.bench.report
 
-check-hard: $(MORE)       ## try to break everything: forty minutes, one table (PARTS="numbers inputs" for some of it)
-	$(BIN)/python -m hard $(PARTS)
+check-hard: $(MORE)       ## try to break everything: forty minutes, one table (PARTS="values inputs" for some of it)
+	$(BIN)/python -m dev.hard $(PARTS)
 
 # On a CI machine without a browser: install Debian's, so that the browser tests run there too.
 browser:
@@ -74,12 +82,12 @@ browser:
 
 $(READY): requirements.txt pyproject.toml
 	@command -v $(PYTHON) > /dev/null || { echo "There is no Python here. The course needs Python 3.11 to 3.14: see Start in README.md."; exit 1; }
-	@$(PYTHON) tools/prepare.py --folder $(VENV)
+	@$(PYTHON) -m dev.prepare --folder $(VENV)
 
 $(MORE): requirements-more.txt $(READY)
-	@$(PYTHON) tools/prepare.py --folder $(VENV) requirements-more.txt
+	@$(PYTHON) -m dev.prepare --folder $(VENV) requirements-more.txt
 	@touch $(MORE)
 
 clean:                    ## remove the environment and what was built; lessons, answers and points stay
-	rm -rf $(VENV) *.egg-info .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) *.egg-info .pytest_cache .ruff_cache .mypy_cache .hypothesis
 	[ ! -d build ] || find build -mindepth 1 -maxdepth 1 ! -name assignment ! -name class -exec rm -rf {} +

@@ -18,6 +18,7 @@ Settings come from the environment (README.md beside this file says more):
 import os
 import resource
 import sys
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from urllib.parse import urlencode
 
@@ -25,8 +26,8 @@ from jupyterhub.app import JupyterHub
 from jupyterhub.spawner import LocalProcessSpawner
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
-from obstacles import obstacle  # noqa: E402
+spec = spec_from_file_location("obstacles", HERE.parent / "dev" / "teaching" / "obstacles.py")
+spec.loader.exec_module(obstacles := module_from_spec(spec))  # the course's folder is not on Python's path here
 
 COURSE, FIRST = "kalman", "notebooks/00-start-here.ipynb"
 
@@ -50,7 +51,7 @@ def named(variable, otherwise):
     return os.environ.get(variable, otherwise)
 
 
-if JupyterHub.initialized() and (found := obstacle(named("CLASS_REPOSITORY", ""))):  # only when a hub starts
+if JupyterHub.initialized() and (found := obstacles.obstacle(named("CLASS_REPOSITORY", ""))):  # only when a hub starts
     sys.exit(f"The class server was not started. {found}")
 
 c = get_config()  # noqa: F821 (JupyterHub puts this function here)

@@ -1,51 +1,77 @@
 """kflearn: Kalman filters written to be read, the package behind the course.
 
-Beliefs are Gaussians with a mean (..., n) and a covariance (..., n, n); models say how a state moves and is measured;
-filters take a model, measurements (..., T, m) and an initial belief and return a Track. Everything broadcasts over
-leading axes: a thousand runs are one call.
+A belief is a Gaussian with a mean (..., n) and a covariance (..., n, n). A model says how a state moves and how it is
+measured: LinearModel or NonlinearModel. A filter takes a model, measurements (..., T, m) and an initial belief, and
+returns a track: the beliefs after each measurement. Everything broadcasts over leading axes: a thousand runs are one
+call.
+
+    >>> from kflearn import Gaussian, kalman_filter, random_walk
+    >>> track = kalman_filter(random_walk(0, 1), [1.0, 2.0, 3.0], Gaussian(0, 1e6))
+    >>> print(f"{track.mean[-1, 0]:.2f} ± {track.std[-1, 0]:.2f}")
+    2.00 ± 0.58
+
+The filters, called as filter(model, z, initial, u); FILTERS holds the same table as data:
+
+    filter                      models               returns             rts_smoother
+    kalman_filter               linear               Track               yes
+    square_root_kalman_filter   linear               Track               yes
+    schmidt_kalman_filter       linear               Track               no
+    extended_kalman_filter      linear, nonlinear    Track               yes
+    unscented_kalman_filter     linear, nonlinear    Track               yes
+    cubature_kalman_filter      linear, nonlinear    Track               yes
+    linearized_kalman_filter    linear, nonlinear    Track               yes
+    adaptive_kalman_filter      linear, nonlinear    AdaptiveTrack       no
+    imm_filter                  several, of both     MultipleModelTrack  no
+    mmae_filter                 several, of both     MultipleModelTrack  no
+
+Step by step: predict, correct, kalman_step, start_from; the ways through a function: linearize, unscented, cubature.
+Smoothers: rts_smoother, two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval,
+rmse, report_card. Models: random_walk, constant_velocity, constant_acceleration, singer, cart; simulate,
+numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which
+raises RecordingError), bearings, homing, navigation, video, plots.
 """
 
-from . import homing, navigation, recordings, scenarios, video
-from .adaptive import adaptive_kalman_filter
-from .angles import angle_difference, circular_mean, wrap
-from .consider import schmidt_kalman_filter
-from .consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
-from .filtering import (
-    correct,
+from importlib import import_module
+
+from .core.angles import angle_difference, circular_mean, wrap
+from .course import bearings, homing, navigation, recordings, scenarios, video
+from .course.recordings import RecordingError
+from .filters.adaptive import adaptive_kalman_filter
+from .filters.consider import schmidt_kalman_filter
+from .filters.kalman import (
     cubature_kalman_filter,
     extended_kalman_filter,
     kalman_filter,
-    kalman_step,
     linearized_kalman_filter,
-    predict,
-    start_from,
     unscented_kalman_filter,
 )
-from .gaussian import Gaussian
-from .models import (
-    LinearModel,
-    NonlinearModel,
-    cart,
-    constant_acceleration,
-    constant_velocity,
-    numerical_jacobian,
-    random_walk,
-    singer,
-)
-from .multiple_models import imm_filter, mmae_filter
-from .report import report_card
-from .simulation import simulate
-from .smoothing import rts_smoother, two_filter_smoother
-from .square_root import square_root_kalman_filter
+from .filters.moments import cubature, linearize, unscented
+from .filters.multiple_models import imm_filter, mmae_filter
+from .filters.smoothing import rts_smoother, two_filter_smoother
+from .filters.square_root import square_root_kalman_filter
+from .filters.steps import correct, kalman_step, predict, start_from
+from .filters.table import FILTERS
+from .models.gaussian import Gaussian
+from .models.kinematics import cart, constant_acceleration, constant_velocity, random_walk, singer
+from .models.simulation import simulate
+from .models.slopes import numerical_jacobian
+from .models.state_space import LinearModel, NonlinearModel
+from .results.consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
+from .results.report import report_card
+from .results.track import Track
 
-__version__ = "0.1.1"  # said here only: pyproject.toml, lesson 0 and the web page read it
+__version__ = "0.2.0"  # said here only: pyproject.toml, lesson 0 and the web page read it
 
 __all__ = [
+    "FILTERS",
     "Gaussian",
     "LinearModel",
     "NonlinearModel",
+    "RecordingError",
+    "Track",
     "adaptive_kalman_filter",
     "angle_difference",
+    "bearings",
     "cart",
     "chi_square_interval",
     "circular_mean",
@@ -53,18 +79,21 @@ __all__ = [
     "constant_velocity",
     "correct",
     "coverage",
+    "cubature",
     "cubature_kalman_filter",
     "extended_kalman_filter",
     "homing",
     "imm_filter",
     "kalman_filter",
     "kalman_step",
+    "linearize",
     "linearized_kalman_filter",
     "mmae_filter",
     "navigation",
     "nees",
     "nis",
     "numerical_jacobian",
+    "plots",
     "predict",
     "random_walk",
     "recordings",
@@ -78,8 +107,20 @@ __all__ = [
     "square_root_kalman_filter",
     "start_from",
     "two_filter_smoother",
+    "unscented",
     "unscented_kalman_filter",
     "video",
     "whiteness",
     "wrap",
 ]
+
+
+def __dir__():
+    return __all__
+
+
+def __getattr__(name):
+    """`plots` is loaded when it is first asked for: without it, kflearn needs no matplotlib."""
+    if name == "plots":
+        return import_module(".ui.plots", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,73 +1,24 @@
-"""What the tests of the course's web page share: the page, a server that shows it, a browser."""
-
-import sys
-import threading
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
+"""Which tests are slow: `make quick` leaves them out, `make test` does not."""
 
 import pytest
-from lab import CHROMIUM, browser
-from web import BUILT, Page, build
+
+SLOW = (  # beginnings of names: more than about a second, on a quiet machine
+    "tests/course/test_bearings.py::test_whole_degrees_on_a_sparse_grid",
+    "tests/course/test_copies.py::test_a_copy_does_the_same[inertial_navigation",
+    "tests/course/test_navigation.py::test_open_and_closed_loop",
+    "tests/course/test_navigation.py::test_what_a_turn_makes_observable",
+    "tests/course/test_recordings_of_any_text.py",
+    "tests/course/test_scenarios.py::test_it_simulates_and_its_filter_runs[ball",
+    "tests/course/test_scenarios.py::test_it_simulates_and_its_filter_runs[inertial_navigation",
+    "tests/course/test_video.py::test_own_film",
+    "tests/filters/test_multiple_models.py::test_no_weight_ever_dies",
+    "tests/filters/test_properties.py::test_a_converged_gain_changes_nothing[150]",
+    "tests/filters/test_properties.py::test_a_slowly_converging_gain_is_not_held_too_early",
+    "tests/test_import.py::test_it_takes_less_time_than_numpy_alone",
+)
 
 
-@pytest.fixture(scope="session")
-def site(tmp_path_factory):
-    """The folder of a page of three lessons."""
-    return Path(BUILT) if BUILT else build(tmp_path_factory.mktemp("site") / "site", "04,05,13")
-
-
-@pytest.fixture(scope="session")
-def pages(site):
-    return {path.name: Page(path) for path in site.glob("*.html")}
-
-
-@pytest.fixture(scope="session")
-def address(site):
-    """Where a server shows the page."""
-
-    class Quiet(SimpleHTTPRequestHandler):
-        def log_message(self, *args):
-            pass
-
-    class Patient(ThreadingHTTPServer):
-        def handle_error(self, request, client_address):
-            """A page was closed while its pictures were still coming."""
-            if not isinstance(sys.exception(), ConnectionError):
-                super().handle_error(request, client_address)
-
-    with Patient(("127.0.0.1", 0), partial(Quiet, directory=str(site))) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
-        thread.join()
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    if not CHROMIUM:
-        pytest.skip("no chromium, chromium-browser or google-chrome on the PATH")
-    with browser() as chromium:
-        yield chromium
-
-
-@pytest.fixture
-def tab(chromium, address):
-    """Opens a page in a window of some width; fails afterwards if anything went wrong in the browser."""
-    troubles, tabs = [], []
-
-    def go(name, width=1280, **options):
-        tab = chromium.new_page(viewport={"width": width, "height": 850}, **options)
-        tabs.append(tab)
-        tab.on("console", lambda message: troubles.append(message.text) if message.type == "error" else None)
-        tab.on("pageerror", lambda error: troubles.append(str(error)))
-        tab.on("response", lambda response: troubles.append(response.url) if response.status >= 400 else None)
-        tab.on("request", lambda r: None if r.url.startswith((address, "data:")) else troubles.append(r.url))
-        tab.goto(address + name)
-        return tab
-
-    yield go
-    for tab in tabs:
-        tab.close()
-    assert not troubles
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if item.nodeid.startswith(SLOW):
+            item.add_marker(pytest.mark.slow)

@@ -64,6 +64,11 @@ def bent(model, bend=0.3):
     )
 
 
+def matrices_at(model, k):
+    """F, H, Q, R and B of one step, whether the model has stacks of them or one for all steps."""
+    return [M if M is None or M.ndim == 2 else M[k] for M in (model.F, model.H, model.Q, model.R, model.B)]
+
+
 def textbook(model, z, initial, u=None):
     """Eqs (5)–(9) as they stand in every book, one series, one step after the other. NaN rows are predict only.
 
@@ -71,7 +76,7 @@ def textbook(model, z, initial, u=None):
     """
     x, P, steps, log_likelihood = initial.mean, initial.cov, [], 0.0
     for k in range(len(z)):
-        F, H, Q, R, B = (M if M is None or M.ndim == 2 else M[k] for M in (model.F, model.H, model.Q, model.R, model.B))
+        F, H, Q, R, B = matrices_at(model, k)
         x = F @ x + (0 if u is None else B @ u[k])
         P = F @ P @ F.T + Q
         x_predicted, P_predicted = x, P
@@ -103,7 +108,7 @@ def least_squares(model, z, initial, u=None):
 
     add({0: np.eye(n)}, initial.mean, initial.cov)
     for k in range(T):
-        F, H, Q, R, B = (M if M is None or M.ndim == 2 else M[k] for M in (model.F, model.H, model.Q, model.R, model.B))
+        F, H, Q, R, B = matrices_at(model, k)
         add({k: -F, k + 1: np.eye(n)}, np.zeros(n) if u is None else B @ u[k], Q)
         seen = ~np.isnan(z[k])
         if seen.any():

@@ -4,11 +4,14 @@ An answer may be any object at all: one that fights back may raise here, and the
 The words are deterministic (no addresses, no folders), so that a saved notebook can be compared with a new run.
 """
 
+import contextlib
 import inspect
+import io
 import linecache
 import re
 import textwrap
 import traceback
+import warnings
 
 import numpy as np
 
@@ -19,17 +22,28 @@ class Misfit(Exception):
     """An answer of the wrong form; the text says what it is instead."""
 
 
-def fault(answer, right, subject, rtol, atol, reveal):
-    """What is wrong with an answer, in a sentence that shows the right one only if `reveal`; None if nothing is."""
-    if wanted := _parts(right):
-        is_row = isinstance(answer, list) or (isinstance(answer, np.ndarray) and answer.ndim > 0)
-        given = answer if is_row else list(_parts(answer).values())
-        if len(given) != len(wanted):
-            found = len(given) or f"one of type {type(answer).__name__}"
-            return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
-        pairs = zip(given, wanted.items(), strict=True)
-        faults = (fault(piece, part, f"{name} of {subject}", rtol, atol, reveal) for piece, (name, part) in pairs)
-        return next(filter(None, faults), None)
+def fault(answer, right, subject, rtol, atol, reveal) -> str | None:
+    """What is wrong with an answer.
+
+    Parameters
+    ----------
+    answer : object
+        Anything at all.
+    right : number, array, Gaussian or tuple of these
+    subject : str
+        What the sentence calls the answer.
+    rtol, atol : float
+        Tolerances, as in `numpy.isclose`; with atol None, 1e-12 of the largest number in `right`.
+    reveal : bool
+        Whether the sentence may show the right answer.
+
+    Returns
+    -------
+    str or None
+        A sentence without its capital letter; None if nothing is wrong.
+    """
+    if wanted := parts(right):
+        return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal)
     right = np.asarray(right)
     try:
         given = _numbers(answer, right)
@@ -44,16 +58,33 @@ def fault(answer, right, subject, rtol, atol, reveal):
     direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
     verdict = next((words for words, twin in _relatives(right) if _close(given, twin, rtol).all()), "")
     if reveal:
-        where = f"at {list(at)} " if right.size > ENTRIES_SHOWN else ""
-        pair = (given[at], right[at]) if where else (given, right)
-        digits = next((d for d in (4, 6, 9, 12) if show(pair[0], d) != show(pair[1], d)), 17)
-        remark = f" (it {verdict})" if verdict else ""
-        return f"{subject} is {where}{show(pair[0], digits)}, but {show(pair[1], digits)} was expected{remark}."
+        return f"{subject} is {_beside(given, right, at, verdict)}."
     if not verdict and right.size > 1:
         verdict = f"differs in {(~good).sum()} of {right.size} entries: {list(at)} is {direction}"
     if not verdict and _close(given, right, 0.02).all():
         verdict = f"is close, but {direction}: if you rounded, keep more digits"
     return f"{subject} {verdict or f'is {direction}'}."
+
+
+def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal):
+    """The first fault in the parts of an answer; `wanted` holds the right ones by name."""
+    is_row = isinstance(answer, list) or (isinstance(answer, np.ndarray) and answer.ndim > 0)
+    given = answer if is_row else list(parts(answer).values())
+    if len(given) != len(wanted):
+        found = len(given) or f"one of type {type(answer).__name__}"
+        return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
+    pairs = zip(given, wanted.items(), strict=True)
+    faults = (fault(piece, part, f"{name} of {subject}", rtol, atol, reveal) for piece, (name, part) in pairs)
+    return next(filter(None, faults), None)
+
+
+def _beside(given, right, at, verdict):
+    """What is given and what was expected, in as many digits as tell them apart; of a large array the entry `at`."""
+    where = f"at {list(at)} " if right.size > ENTRIES_SHOWN else ""
+    pair = (given[at], right[at]) if where else (given, right)
+    digits = next((d for d in (4, 6, 9, 12) if show(pair[0], d) != show(pair[1], d)), 17)
+    remark = f" (it {verdict})" if verdict else ""
+    return f"{where}{show(pair[0], digits)}, but {show(pair[1], digits)} was expected{remark}"
 
 
 def _numbers(answer, right):
@@ -75,7 +106,8 @@ def _numbers(answer, right):
         except (TypeError, ValueError, OverflowError):
             raise Misfit(f"of type {kind}") from None
     if array.dtype.kind not in "iuf" and array.dtype.kind != right.dtype.kind:
-        raise Misfit(f"of type {kind}" + f", holding {array.dtype.type.__name__.strip('_')}" * bool(array.ndim))
+        holding = f", holding {array.dtype.type.__name__.strip('_')}" if array.ndim else ""
+        raise Misfit(f"of type {kind}{holding}")
     if array.shape != right.shape and not array.size == right.size == 1:
         raise Misfit(_form(array.shape))
     array = array.reshape(right.shape).astype(complex if right.dtype.kind == "c" else float)
@@ -104,7 +136,7 @@ def _relatives(right):
         yield f"is {10**power} times too small", right / 10.0**power
 
 
-def chosen(answer):
+def chosen(answer) -> frozenset:
     """A choice as a set of plain words: "B)" is {"b"}, "A, C" is {"a", "c"}, 3 is {"3"}, True is {"true"}."""
     if isinstance(answer, (np.ndarray, np.generic)) and answer.size <= 100:
         answer = answer.tolist()
@@ -124,23 +156,25 @@ def _is_gaussian(value):
     return all(hasattr(value, name) and not callable(getattr(value, name)) for name in ("mean", "cov"))
 
 
-def _parts(value):
+def parts(value) -> dict:
     """The named parts of a Gaussian or a tuple; of anything else, nothing."""
     if _is_gaussian(value):
         return {"the mean": value.mean, "the covariance": value.cov}
     return {f"value {i}": part for i, part in enumerate(value, 1)} if isinstance(value, tuple) else {}
 
 
-def entries(value):
-    """All numbers of a value, in a flat array."""
-    parts = _parts(value).values()
-    return np.concatenate([entries(part) for part in parts]) if parts else np.ravel(value)
+# ---- functions the learner hands in
 
 
-# Functions the learner hands in
+@contextlib.contextmanager
+def quiet():
+    """Keep to ourselves what the learner's code prints and warns of."""
+    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        yield
 
 
-def unfinished(answer, depth=5):
+def unfinished(answer, depth=5) -> bool:
     """Nothing at all, or lists with a `...` still in them."""
     if answer is None or answer is ... or (type(answer) is str and not answer.strip()):
         return True
@@ -148,7 +182,7 @@ def unfinished(answer, depth=5):
     return any(unfinished(item, depth - 1) for item in inside if item is not None)
 
 
-def arity_fault(function, inputs):
+def arity_fault(function, inputs) -> str | None:
     """Says so if a function cannot be called with so many inputs."""
     try:
         signature = inspect.signature(function)
@@ -162,7 +196,7 @@ def arity_fault(function, inputs):
     return None
 
 
-def told(error, function, inputs):
+def told(error, function, inputs) -> tuple[str, str]:
     """A function raised: the status and the sentence, with the error and the learner's own line but no traceback."""
     home = getattr(function, "__globals__", None)
     places = [(frame, line) for frame, line in traceback.walk_tb(error.__traceback__) if frame.f_globals is home]
@@ -185,10 +219,10 @@ def _code(text):
     return f"`{textwrap.shorten(text.replace('`', chr(39)), 160, placeholder=' …')}`"
 
 
-# Showing values in a few characters
+# ---- values in a few characters
 
 
-def show(value, digits=4):
+def show(value, digits=4) -> str:
     """A value in a few characters: numbers with four significant digits, a large array by its shape."""
     if _is_gaussian(value):
         return f"N({show(value.mean, digits)}, {show(value.cov, digits)})"
@@ -212,14 +246,8 @@ def _count(number, noun):
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def listed(choices):
+def listed(choices) -> str:
     """Choices in order, on a short line; letters as capitals."""
     names = (choice.upper() if len(choice) == 1 else choice for choice in choices)
     line = ", ".join(sorted(names, key=lambda name: (len(name), name)))
     return textwrap.shorten(line, 160, placeholder="…")
-
-
-def numbers_in(text):
-    """The numbers a text names, those of equations left out: "eq (12)"."""
-    text = re.sub(r"\beqs?\.? ?\([^)]*\)", "", text.replace("−", "-"))
-    return np.array(re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", text), dtype=float)

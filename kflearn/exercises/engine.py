@@ -10,39 +10,70 @@ The learner's code is never evaluated as text: a function that is handed in is c
 """
 
 import ast
-import contextlib
 import copy
 import inspect
-import io
-import re
 import textwrap
-import warnings
+from collections.abc import Callable
 
 import numpy as np
 
 from kflearn.exercises import progress
-from kflearn.exercises._answers import arity_fault, chosen, entries, fault, listed, numbers_in, show, told, unfinished
+from kflearn.exercises._answers import arity_fault, chosen, fault, listed, quiet, show, told, unfinished
+from kflearn.exercises._messages import LEAD, Message, Outcome
 
-LEAD = {
-    "right": "✓ Right.",
-    "wrong": "✗ Not yet.",
-    "raised": "✗ Your code raised an error.",
-    "not attempted": "… Not attempted yet.",
-}
+__all__ = ["LEAD", "Exercise", "Message", "Outcome", "exercise", "exercises_of"]
+
 TRIALS = 20  # random inputs on which a function is tried
 
 
-def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None):
+def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None) -> Callable:
     """Make an exercise from its solution function, whose docstring is the question.
 
-    hints    sentences, each stronger than the one before; only the last may name the answer
-    wrong    {label: (wrong answer, sentence that teaches)}; the wrong answer is a value, or a function without
-             parameters that computes it; for a function exercise it is a function that errs
-    inputs   for a function exercise: a function of a numpy Generator that returns one tuple of valid inputs
-             (round numbers, such as rng.integers(1, 9, 2) / 2, read well in the sentence about a failing case)
-    unit     of the answer, shown beside it
-    rtol     relative tolerance: 2e-3 for a value (it may be typed by hand), 1e-6 for the results of a function
-    atol     absolute tolerance: 1e-12 of the largest number in the right answer
+    Parameters
+    ----------
+    hints : list of str
+        Sentences, each stronger than the one before; only the last may name the answer.
+    wrong : dict, optional
+        {label: (wrong answer, sentence that teaches)}. The wrong answer is a value, or a function without parameters
+        that computes it; for a function exercise it is a function that errs.
+    inputs : function(Generator), optional
+        For a function exercise: returns one tuple of valid inputs. Round numbers, such as `rng.integers(1, 9, 2) / 2`,
+        read well in the sentence about a failing case.
+    unit : str
+        The answer's unit, shown beside it.
+    rtol : float, optional
+        Relative tolerance: 2e-3 for a value (it may be typed by hand), 1e-6 for the results of a function.
+    atol : float, optional
+        Absolute tolerance: 1e-12 of the largest number in the right answer.
+
+    Returns
+    -------
+    function
+        The decorator: it turns the solution into an `Exercise`.
+
+    Raises
+    ------
+    ValueError
+        Where inputs are given without need or are missing, where a wrong answer equals the right one or another
+        wrong one, and where a choice has no wrong choices.
+
+    Examples
+    --------
+    >>> from kflearn.exercises.engine import exercise
+    >>> @exercise(
+    ...     hints=["Variances of independent errors add up.", "5 + 1 = 6."],
+    ...     wrong={"only the first": (5, "The second error counts too.")},
+    ...     unit="m²",
+    ... )
+    ... def sum_of_variances():
+    ...     '''What is the variance of the sum of two errors with variances 5 m² and 1 m²?'''
+    ...     return 5 + 1
+    >>> sum_of_variances.check(5)
+    ✗ Not yet. The second error counts too.
+    >>> sum_of_variances.check(6)
+    ✓ Right. The answer is 6 m².
+    >>> sum_of_variances.hint()
+    Hint 1 of 2. Variances of independent errors add up.
     """
 
     def make(solution):
@@ -58,38 +89,33 @@ def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None):
     return make
 
 
-def exercises_of(module):
-    """The exercises a module defines, in order of definition."""
+def exercises_of(module) -> list["Exercise"]:
+    """The exercises that a module defines, in order of definition.
+
+    Examples
+    --------
+    >>> from kflearn.exercises import voltmeter
+    >>> all(each.module == voltmeter.__name__ for each in exercises_of(voltmeter))
+    True
+    """
     return [item for item in vars(module).values() if isinstance(item, Exercise) and item.module == module.__name__]
 
 
-class Message:
-    """Words for the learner, with their markdown where a notebook should show more than the plain words."""
-
-    def __init__(self, text, markdown=None):
-        self.text, self.markdown = text, markdown or text
-
-    def __repr__(self):
-        return self.text
-
-    def _repr_markdown_(self):
-        return self.markdown
-
-
-class Outcome(Message):
-    """What `check` found: `.status` is "not attempted", "right", "wrong" or "raised", `.text` says it in a sentence."""
-
-    def __init__(self, status, sentence):
-        if re.match(r"[a-z]+[ ,]", sentence):  # a word, and not code such as `np.std`
-            sentence = sentence[0].upper() + sentence[1:]
-        self.status = status
-        super().__init__(f"{LEAD[status]} {sentence}", f"**{LEAD[status]}** {sentence}")
-
-
 class Exercise:
-    """A question with `check(answer)`, `hint()` and `solution()`; made by the decorator `exercise`."""
+    """A question with `check(answer)`, `hint()` and `solution()`; made by the decorator `exercise`.
 
-    subject, wanted, _untouched = "your answer", "numbers", (..., None)
+    Attributes
+    ----------
+    name, module, question : str
+        The solution's name, where it is defined, and its docstring.
+    hints : list of str
+    wrong : dict
+        {label: (wrong answer, sentence)}
+    unit : str
+    rtol, atol : float
+    """
+
+    subject, wanted = "your answer", "numbers"
 
     def __init__(self, solution, hints, wrong, unit, rtol, atol):
         self.name, self.module, self.question = solution.__name__, solution.__module__, inspect.getdoc(solution) or ""
@@ -102,10 +128,10 @@ class Exercise:
     def __dir__(self):
         return ["check", "hint", "solution"]  # what the Tab key offers a learner
 
-    def check(self, answer=...):
+    def check(self, answer=...) -> Outcome:
         """Compare an answer with the right one. Whatever is handed in, the outcome explains it; nothing is raised."""
         try:
-            with _quiet():
+            with quiet():
                 if unfinished(answer):
                     return Outcome("not attempted", "Put your answer in place of `...` and run the cell again.")
                 outcome = self._judge(answer)
@@ -117,7 +143,7 @@ class Exercise:
         except BaseException:  # an object that fights back when it is looked at
             return Outcome("wrong", f"{self.subject} cannot be read as {self.wanted}.")
 
-    def hint(self, number=None):
+    def hint(self, number=None) -> Message:
         """The next hint, each stronger than the last; or hint `number`, counted from 1."""
         if number is None:
             self._hints_given += 1
@@ -126,7 +152,7 @@ class Exercise:
             return Message(f"Hint {number} of {len(self.hints)}. {self.hints[number - 1]}")
         return Message(f"There are {len(self.hints)} hints; after the last, `{self.name}.solution()` shows the answer.")
 
-    def solution(self):
+    def solution(self) -> Message:
         """The solution's source, without the decorator and the question."""
         source = textwrap.dedent(inspect.getsource(self._solve))
         function, lines = ast.parse(source).body[0], source.splitlines()
@@ -135,29 +161,9 @@ class Exercise:
         code = "\n".join(lines[function.lineno - 1 :])
         return Message(code, f"```python\n{code}\n```")
 
-    def self_test(self):
-        """For the tests: the solution passes, each wrong answer gets its own sentence, the hints are sound."""
-        assert self.question, f"{self.name}: the question (the solution's docstring) is missing"
-        solved = self.check(self._answer())
-        assert solved.status == "right", f"{self.name}: its own solution gets: {solved}"
-        for label, (answer, sentence) in self.wrong.items():
-            assert sentence.strip(), f"{self.name}: the wrong answer {label!r} has no sentence"
-            expected, found = Outcome("wrong", sentence).text, self.check(answer).text
-            assert found == expected, f"{self.name}: the wrong answer {label!r} gets: {found}"
-        for untouched in self._untouched:
-            assert self.check(untouched).status == "not attempted", f"{self.name}: untouched is not recognised"
-        assert len(self.hints) >= 2, f"{self.name}: two hints or more are wanted"
-        for hint in self.hints:
-            assert re.search(r"\w \S.*[.?!…:)`]$", hint, re.S), f"{self.name}: this hint is no sentence: {hint!r}"
-        for hint in self.hints[:-1]:
-            assert not self._given_away_by(hint), f"{self.name}: this hint gives the answer away: {hint!r}"
-        assert self.solution().text.startswith(f"def {self.name}("), f"{self.name}: the solution cannot be shown"
-
     def _compare(self, answer, right, reveal=False):
+        """What tells an answer from another one, in a sentence; None if nothing does."""
         return fault(answer, right, self.subject, self.rtol, self.atol, reveal)
-
-    def _given_away_by(self, hint):
-        return False
 
 
 class ValueExercise(Exercise):
@@ -175,6 +181,7 @@ class ValueExercise(Exercise):
             known[label] = value
 
     def _judge(self, answer):
+        """The outcome for an answer: the sentence of a wrong one in the table, or what is wrong with it."""
         complaint = self._compare(answer, self.right)
         if complaint is None:
             return Outcome("right", self._confirmation())
@@ -182,14 +189,12 @@ class ValueExercise(Exercise):
         return Outcome("wrong", next(lessons, complaint))
 
     def _confirmation(self):
+        """What is said to a right answer."""
         return f"The answer is {show(self.right)} {self.unit}".rstrip() + "."
 
     def _answer(self):
+        """The right answer, for tests."""
         return self.right
-
-    def _given_away_by(self, hint):
-        found = numbers_in(hint)[:, None]
-        return bool(np.isclose(found, entries(self.right), self.rtol).any(axis=0).all())
 
 
 class ChoiceExercise(ValueExercise):
@@ -206,11 +211,13 @@ class ChoiceExercise(ValueExercise):
             raise ValueError(f"{self.name}: a choice needs its wrong choices, each with a sentence")
 
     @property
-    def choices(self):
+    def choices(self) -> frozenset:
+        """The right choices and the wrong ones."""
         return frozenset().union(*map(chosen, (self.right, *(value for value, _ in self.wrong.values()))))
 
     @property
-    def lines(self):
+    def lines(self) -> bool:
+        """Whether lines of a program are chosen."""
         return all(choice.isdigit() for choice in chosen(self.right))
 
     def _compare(self, answer, right, reveal=False):
@@ -231,14 +238,11 @@ class ChoiceExercise(ValueExercise):
     def _confirmation(self):
         return f"The {'fault is in line' if self.lines else 'answer is'} {listed(chosen(self.right))}."
 
-    def _given_away_by(self, hint):
-        return self.lines and {int(line) for line in chosen(self.right)} <= set(numbers_in(hint))
-
 
 class FunctionExercise(Exercise):
     """The learner hands in a function; it is compared with the solution on random inputs, the same ones every time."""
 
-    subject, _untouched = "the result", (..., None, lambda *inputs: None, lambda *inputs: ...)
+    subject = "the result"
 
     def __init__(self, solution, hints, wrong, unit, rtol, atol, inputs):
         super().__init__(solution, hints, wrong, unit, 1e-6 if rtol is None else rtol, atol)
@@ -251,6 +255,7 @@ class FunctionExercise(Exercise):
             raise ValueError(f"{self.name}: inputs= must return a tuple with one value for each of {self.parameters}")
 
     def _judge(self, answer):
+        """The outcome for a function: the same, after trying it on all inputs."""
         if not callable(answer):
             return Outcome("wrong", "A function is wanted: hand in its name without parentheses, as in `check(name)`.")
         if complaint := arity_fault(answer, self.cases[0]):
@@ -279,12 +284,5 @@ class FunctionExercise(Exercise):
         return Outcome("wrong", complaints[0])
 
     def _answer(self):
+        """The right answer, for tests."""
         return self._solve
-
-
-@contextlib.contextmanager
-def _quiet():
-    """Keep to ourselves what the learner's code prints and warns of."""
-    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        yield

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._homing_missile import WRONG
 from kflearn.exercises.engine import exercise
 
 
@@ -11,12 +12,6 @@ def errors_on_the_way(rng):
     """An error (m) and its velocity (m/s), and two times to go (s)."""
     t0 = float(rng.integers(4, 9) / 2)
     return float(rng.integers(-600, 601)), float(rng.integers(-300, 301)), t0, t0 * float(rng.integers(1, 8) / 8)
-
-
-def powers(e, v, t0, t, low=1, high=3, sign=-1):
-    """a tˡ + b tʰ that starts as e, with the slope sign·v against the time to go."""
-    a, b = np.linalg.solve([[t0**low, t0**high], [low * t0 ** (low - 1), high * t0 ** (high - 1)]], [e, sign * v])
-    return a * t**low + b * t**high
 
 
 @exercise(
@@ -27,49 +22,7 @@ def powers(e, v, t0, t, low=1, high=3, sign=-1):
         "`b = -(e + v * t0) / (2 * t0**3)`, then `a = e / t0 - b * t0**2`, then `return a * t + b * t**3`.",
     ],
     inputs=errors_on_the_way,
-    wrong={
-        "velocity with the wrong sign": (
-            lambda e, v, t0, t: powers(e, v, t0, t, sign=1),
-            "The sign of the velocity: t is the time *to go*, it shrinks. The slope of a·t + b·t³ at t₀ is −v.",
-        ),
-        "coasting": (
-            lambda e, v, t0, t: e + v * (t0 - t),
-            "That is an error left to itself. But estimate and truth are both steered, each by its own state: use a·t + b·t³.",
-        ),
-        "straight line": (
-            lambda e, v, t0, t: e * t / t0,
-            "You took a·t alone. That fits the error at t₀, but not its velocity: for that you need b·t³ too.",
-        ),
-        "cubic alone": (
-            lambda e, v, t0, t: e * (t / t0) ** 3,
-            "You took b·t³ alone. That fits the error at t₀, but not its velocity: for that you need a·t too.",
-        ),
-        "velocity forgotten": (
-            lambda e, v, t0, t: powers(e, 0, t0, t),
-            "You took the error's velocity for zero; it is v, and with v = −e/t₀ the whole error would be a·t.",
-        ),
-        "velocity taken for a": (
-            lambda e, v, t0, t: -v * t + (e + v * t0) / t0**3 * t**3,
-            "You took −v for a. But −v is the slope at t₀, where the cubic has a slope as well: −v = a + 3b·t₀².",
-        ),
-        "square in place of cube": (
-            lambda e, v, t0, t: powers(e, v, t0, t, 1, 2),
-            "You took a·t + b·t². The powers are 1 and N, and N is 3.",
-        ),
-        "constant in place of line": (
-            lambda e, v, t0, t: powers(e, v, t0, t, 0, 3),
-            "You took a + b·t³. The powers are 1 and 3; a constant would not vanish at the impact.",
-        ),
-        "where it would hit": (
-            lambda e, v, t0, t: e + v * t0,
-            "e + v·t₀ is the error that coasting would leave at the impact; the law works against it all the way.",
-        ),
-        "unchanged": (
-            lambda e, v, t0, t: e,
-            "You handed back the error at t₀. It shrinks as t does, although nothing is measured.",
-        ),
-        "nothing left": (lambda e, v, t0, t: 0.0, "Zero is right only at t = 0, the impact."),
-    },
+    wrong=WRONG["left_over"],
 )
 def left_over(e, v, t0, t):
     """The error (m) with t seconds to go, when with t0 seconds to go it is e (m) and its velocity v (m/s); blind."""
@@ -272,11 +225,6 @@ def some_errors(rng):
     return (rng.integers(-9, 10, (4, 5, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
 
 
-def three(error):
-    """The squared lengths of position, velocity and acceleration errors: three arrays (runs, T)."""
-    return [np.sum(error[..., k : k + 3] ** 2, axis=-1) for k in (0, 3, 6)]
-
-
 @exercise(
     hints=[
         "Root of the mean of the squares, read from the back: square, mean, root. The mean goes over the runs, axis 0.",
@@ -284,56 +232,7 @@ def three(error):
         "`return [np.sqrt(np.mean(np.sum(error[..., k : k + 3] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)]`.",
     ],
     inputs=some_errors,
-    wrong={
-        "as published": (
-            lambda e: [np.sqrt(s).mean(axis=0) for s in (three(e)[0], three(e)[1], three(e)[1])],
-            "Both published faults are still there: mean distances, and a third series that is the velocity's.",
-        ),
-        "only the third mended": (
-            lambda e: [np.sqrt(s).mean(axis=0) for s in three(e)],
-            "The third series is mended. But these are mean distances: square first, then the mean, and the root last.",
-        ),
-        "only the RMS mended": (
-            lambda e: [np.sqrt(s.mean(axis=0)) for s in (three(e)[0], three(e)[1], three(e)[1])],
-            "The RMS is mended. But your third series is still the velocity's: the acceleration has the indices 6 to 8.",
-        ),
-        "per axis": (
-            lambda e: [np.sqrt(s.mean(axis=0) / 3) for s in three(e)],
-            "You averaged over the three axes as well, which gives the RMS *per axis*, smaller by √3. Sum over the axes.",
-        ),
-        "no root": (
-            lambda e: [s.mean(axis=0) for s in three(e)],
-            "These are mean squares, in m²: the root is missing.",
-        ),
-        "over time": (
-            lambda e: [np.sqrt(s.mean(axis=1)) for s in three(e)],
-            "You averaged over the time, axis 1, which gives one number a run. Asked is one a step: average over the runs, axis 0.",
-        ),
-        "over everything": (
-            lambda e: [np.sqrt(s.mean()) for s in three(e)],
-            "You averaged over runs and time. Asked is a series: average over the runs, axis 0, only.",
-        ),
-        "length of the mean": (
-            lambda e: [np.linalg.norm(e[..., k : k + 3].mean(axis=0), axis=-1) for k in (0, 3, 6)],
-            "You averaged the errors before squaring them: errors to the left and to the right cancel, and only the bias is left.",
-        ),
-        "sums": (
-            lambda e: [np.sqrt(s.sum(axis=0)) for s in three(e)],
-            "You summed over the runs: more runs would make the error larger. Take the mean.",
-        ),
-        "for each state": (
-            lambda e: np.moveaxis(np.sqrt(np.mean(e**2, axis=0)), -1, 0),
-            "That is one series for each of the nine states. Put three axes together: add their squares.",
-        ),
-        "spread": (
-            lambda e: [np.sqrt(sum(e[..., k + i].var(axis=0) for i in range(3))) for k in (0, 3, 6)],
-            "`var` and `std` take the mean away first: a filter that is off by the same kilometre in every run would score 0.",
-        ),
-        "one column each": (
-            lambda e: np.stack([np.sqrt(s.mean(axis=0)) for s in three(e)], axis=-1),
-            "The numbers are right; hand them back as three series, each (T,), not as T rows of three.",
-        ),
-    },
+    wrong=WRONG["figures"],
 )
 def figures(error):
     """The root mean square errors of position, velocity and acceleration, (3, T), of errors (runs, T, 9)."""

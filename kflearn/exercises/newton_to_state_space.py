@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 
+from kflearn.exercises._newton_to_state_space import WRONG
 from kflearn.exercises.engine import exercise
 
 
@@ -13,16 +14,6 @@ def steps_and_masses(rng):
     return float(dt), float(rng.choice([3.0, 5.0, 6.0, 10.0]))
 
 
-def moving(dt):
-    """F of a cart."""
-    return np.array([[1.0, dt], [0.0, 1.0]])
-
-
-def column(upper, lower):
-    """A matrix (2, 1)."""
-    return np.array([[upper], [lower]])
-
-
 @exercise(
     hints=[
         "Read (1) and (2) again: what stands before s, before v and before the force, in each of them?",
@@ -30,80 +21,7 @@ def column(upper, lower):
         "`return np.array([[1, dt], [0, 1]]), np.array([[dt**2 / 2], [dt]]) / mass`",
     ],
     inputs=steps_and_masses,
-    wrong={
-        "no push on the position": (
-            lambda dt, mass: (moving(dt), column(0.0, dt / mass)),
-            "F is right. Your force acts on the velocity only; during the step the new velocity already moves the cart: dt²/2m on top.",
-        ),
-        "[dt/2, 1]": (
-            lambda dt, mass: (moving(dt), column(dt / 2, 1.0) / mass),
-            "F is right. Your B lacks a factor dt in both entries: it is right at dt = 1 only.",
-        ),
-        "one half forgotten": (
-            lambda dt, mass: (moving(dt), column(dt**2, dt) / mass),
-            "F is right. The mean velocity of the step lies halfway: the first entry of B is dt²/2m.",
-        ),
-        "dt/2 above": (
-            lambda dt, mass: (moving(dt), column(dt / 2, dt) / mass),
-            "F is right. The first entry of B must turn newtons into metres, dt²/2m: yours lacks a factor dt.",
-        ),
-        "one half below too": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt / 2) / mass),
-            "F is right. The ½ belongs to the position only: the velocity gets all of F/m·dt.",
-        ),
-        "mass forgotten": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt)),
-            "F is right. Your B takes an acceleration; the input is a force, so divide by the mass.",
-        ),
-        "times the mass": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt) * mass),
-            "F is right. You multiplied by the mass: a heavier cart would be pushed further. a = F/m.",
-        ),
-        "mass under one entry": (
-            lambda dt, mass: (moving(dt), column(dt**2 / (2 * mass), dt)),
-            "F is right, and so is the first entry of B. The second turns newtons into m/s: divide by the mass there too.",
-        ),
-        "B upside down": (
-            lambda dt, mass: (moving(dt), column(dt, dt**2 / 2) / mass),
-            "F is right. The entries of B have changed places: the state is [position, velocity], in this order.",
-        ),
-        "minus": (
-            lambda dt, mass: (moving(dt), -column(dt**2 / 2, dt) / mass),
-            "F is right. A force forwards pushes the cart forwards: B has no minus.",
-        ),
-        "F transposed": (
-            lambda dt, mass: (moving(dt).T, column(dt**2 / 2, dt) / mass),
-            "B is right. Your F is transposed: its first row makes the new position, so dt stands at the upper right.",
-        ),
-        "1 for dt": (
-            lambda dt, mass: (moving(1.0), column(dt**2 / 2, dt) / mass),
-            "B is right. In F you wrote 1 where dt belongs: the distance is velocity times time.",
-        ),
-        "identity": (
-            lambda dt, mass: (np.eye(2), column(dt**2 / 2, dt) / mass),
-            "B is right. With your F a cart that nobody pushes stands still: the velocity must move the position by v·dt.",
-        ),
-        "velocity lost": (
-            lambda dt, mass: (np.array([[1.0, dt], [0.0, 0.0]]), column(dt**2 / 2, dt) / mass),
-            "B is right. Your F forgets the velocity: without a force it stays as it was, so the lower right entry is 1.",
-        ),
-        "backwards": (
-            lambda dt, mass: (moving(-dt), column(dt**2 / 2, dt) / mass),
-            "B is right. Your F lets time run backwards: v·dt is added.",
-        ),
-        "everything at dt = 1": (
-            lambda dt, mass: (moving(1.0), column(0.5, 1.0) / mass),
-            "You took dt = 1 for granted. Your function gets dt as an argument: use it, in F and in B.",
-        ),
-        "F without dt, no push on the position": (
-            lambda dt, mass: (np.eye(2), column(0.0, dt / mass)),
-            "Nothing ever moves your position: (1) adds v·dt to it, and the push adds dt²/2m.",
-        ),
-        "the order of the pair": (
-            lambda dt, mass: (column(dt**2 / 2, dt) / mass, moving(dt)),
-            "Both are right, in the wrong order: return F first, then B.",
-        ),
-    },
+    wrong=WRONG["motion"],
 )
 def motion(dt, mass):
     """F and B of a cart of the given mass (kg) for a step of dt seconds, when the input is the force (N)."""
@@ -294,12 +212,6 @@ def steps_and_sigmas(rng):
     return float(rng.choice([0.5, 2.0, 3.0, 4.0])), float(rng.choice([0.2, 1.5, 2.5, 3.0]))
 
 
-def spread(upper, lower, sigma):
-    """σ² G Gᵀ with G = [upper, lower]."""
-    G = column(upper, lower)
-    return sigma**2 * G @ G.T
-
-
 @exercise(
     hints=[
         "Write units beside G = [T/2; 1]: G times m/s² should be metres above and metres per second below.",
@@ -307,60 +219,7 @@ def spread(upper, lower, sigma):
         "G = np.array([[T**2 / 2], [T]]), and Q as before: sigma**2 * G @ G.T.",
     ],
     inputs=steps_and_sigmas,
-    wrong={
-        "as published": (
-            lambda T, sigma: spread(T / 2, 1.0, sigma),
-            "That is still the published G: both entries lack a factor T, which shows at every T but 1.",
-        ),
-        "only the position mended": (
-            lambda T, sigma: spread(T**2 / 2, 1.0, sigma),
-            "The position is mended. The velocity changes by a·T, so the lower entry of G is T.",
-        ),
-        "only the velocity mended": (
-            lambda T, sigma: spread(T / 2, T, sigma),
-            "The velocity is mended. The position changes by a·T²/2: one more factor T above.",
-        ),
-        "one half forgotten": (
-            lambda T, sigma: spread(T**2, T, sigma),
-            "The factors T are there, but the distance is a·T²/2: the ½ has got lost.",
-        ),
-        "σ for σ²": (
-            lambda T, sigma: spread(T**2 / 2, T, sigma) / sigma,
-            "G is right. Q is a covariance: multiply by σ², not by σ.",
-        ),
-        "σ forgotten": (
-            lambda T, sigma: spread(T**2 / 2, T, 1.0),
-            "G is right. Multiply by the variance σ² of the acceleration.",
-        ),
-        "white": (
-            lambda T, sigma: sigma**2 * np.array([[T**3 / 3, T**2 / 2], [T**2 / 2, T]]),
-            "That is the white Q, for an acceleration that is new at every instant. Here it is held for T: σ² G Gᵀ.",
-        ),
-        "diagonal only": (
-            lambda T, sigma: sigma**2 * np.diag([T**4 / 4, T**2]),
-            "The diagonal is right. One push disturbs both, so position and velocity err together: keep G Gᵀ whole.",
-        ),
-        "entry by entry": (
-            lambda T, sigma: sigma**2 * column(T**2 / 2, T) * column(T**2 / 2, T),
-            "You squared G entry by entry. Q is the product G @ G.T, a matrix (2, 2).",
-        ),
-        "G Gᵀ the other way": (
-            lambda T, sigma: sigma**2 * (T**4 / 4 + T**2),
-            "Gᵀ G is one number, and it adds m² to m²/s². Q is G @ G.T, a matrix (2, 2).",
-        ),
-        "standard deviations": (
-            lambda T, sigma: sigma * column(T**2 / 2, T),
-            "G times σ holds two standard deviations. Q is the covariance: (σG)(σG)ᵀ.",
-        ),
-        "upside down": (
-            lambda T, sigma: spread(T, T**2 / 2, sigma),
-            "The entries of G have changed places: the state is [position, velocity], in this order.",
-        ),
-        "published Q times T": (
-            lambda T, sigma: T * spread(T / 2, 1.0, sigma),
-            "You multiplied Q by T. G needs the factor T, and G stands twice in Q: that makes T².",
-        ),
-    },
+    wrong=WRONG["held_push"],
 )
 def held_push(T, sigma):
     """Q for an unknown acceleration of standard deviation sigma held for T, published with G = [T/2; 1]."""

@@ -1,7 +1,7 @@
 """The learner's progress: which exercises are solved, in one small file beside the notebooks.
 
 The file may be deleted, or damaged, or be read-only: then progress starts anew, or is not kept, and nothing else
-changes. Only exercises solved in a notebook kernel started beside lesson 0 are noted, or wherever the environment
+changes. Several notebooks may note at one instant: one writes, the others wait for it. Only exercises solved in a notebook kernel started beside lesson 0 are noted, or wherever the environment
 variable KFLEARN_PROGRESS names a file.
 """
 
@@ -11,13 +11,16 @@ import json
 import os
 import re
 import sys
+import time
 from importlib import import_module
 from pathlib import Path
 
 NAME = ".progress.json"
+PATIENCE = 6.0  # seconds to wait for other notebooks that are writing; then the tick is not kept
+ABANDONED = 3.0  # seconds after which a lock belongs to a kernel that has died: writing takes a thousandth of that
 
 
-def place():
+def place() -> Path | None:
     """The file, or None where progress is not kept."""
     if named := os.environ.get("KFLEARN_PROGRESS"):
         return Path(named)
@@ -25,7 +28,7 @@ def place():
     return Path(NAME) if in_notebook and Path("00-start-here.ipynb").exists() else None
 
 
-def solved():
+def solved() -> set[str]:
     """The names "lesson.exercise" of all that is solved; an empty set where the file is missing or damaged."""
     file = place()
     try:
@@ -35,20 +38,63 @@ def solved():
         return set()
 
 
-def note(module, name):
-    """Note an exercise as solved; where the file cannot be written, nothing happens."""
-    file, known = place(), solved()
-    key = f"{module.rpartition('.')[2]}.{name}"
-    if file is None or key in known:
+def note(module, name) -> None:
+    """Note an exercise as solved; where the file cannot be written, nothing happens.
+
+    Parameters
+    ----------
+    module : str
+        The module of the lesson's exercises, such as "kflearn.exercises.voltmeter".
+    name : str
+        The exercise's name.
+    """
+    file, key = place(), f"{module.rpartition('.')[2]}.{name}"
+    if file is None or key in solved():
         return
-    with contextlib.suppress(OSError):
-        new = file.with_name(file.name + ".new")
-        new.write_text(json.dumps({"solved": sorted(known | {key})}, indent=1), encoding="utf-8")
-        os.replace(new, file)
+    with contextlib.suppress(OSError), _alone(file):
+        known = solved() | {key}  # read again, now that nobody else writes
+        new = file.with_name(f"{file.name}.{os.getpid()}.new")
+        try:
+            new.write_text(json.dumps({"solved": sorted(known)}, indent=1), encoding="utf-8")
+            os.replace(new, file)
+        finally:
+            new.unlink(missing_ok=True)
 
 
-def lessons(folder="."):
-    """(file name, title, [exercise names], module) of each lesson in a folder that has exercises."""
+@contextlib.contextmanager
+def _alone(file):
+    """Hold the lock beside a file: the lock is a file too, and only one can make it. TimeoutError when it stays held."""
+    lock, deadline = file.with_name(f"{file.name}.lock"), time.monotonic() + PATIENCE
+    while True:
+        try:
+            os.close(os.open(lock, os.O_CREAT | os.O_EXCL))
+            break
+        except FileExistsError:
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"{lock} is held") from None
+            with contextlib.suppress(OSError):
+                if time.time() - lock.stat().st_mtime > ABANDONED:
+                    lock.unlink()
+            time.sleep(0.002)
+    try:
+        yield
+    finally:
+        lock.unlink(missing_ok=True)
+
+
+def lessons(folder=".") -> list[tuple]:
+    """What each lesson in a folder asks.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Where the notebooks are.
+
+    Returns
+    -------
+    list of (file name, title, [exercise names], module)
+        Only of lessons that have exercises.
+    """
     found = []
     for path in sorted(Path(folder).glob("[0-9][0-9]-*.ipynb")):
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
@@ -60,8 +106,25 @@ def lessons(folder="."):
     return found
 
 
-def table(folder="."):
-    """What is solved and what is not, lesson by lesson, with links: a thing to show in a notebook."""
+def table(folder=".") -> "Table":
+    """What is solved and what is not, lesson by lesson, with links.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Where the notebooks are.
+
+    Returns
+    -------
+    Table
+        To be shown by the last line of a cell.
+
+    Examples
+    --------
+    >>> from kflearn.exercises import progress
+    >>> progress.table()
+    Run this cell in JupyterLab: a table of the exercises you have solved, lesson by lesson.
+    """
     return Table(folder)
 
 
@@ -74,7 +137,7 @@ class Table:
     def __repr__(self):
         return "Run this cell in JupyterLab: a table of the exercises you have solved, lesson by lesson."
 
-    def html(self):
+    def html(self) -> str:
         """The table as HTML."""
         known, rows, total = solved(), [], 0
         for file, title, names, module in lessons(self.folder):

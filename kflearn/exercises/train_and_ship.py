@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._train_and_ship import WRONG
 from kflearn.exercises.engine import exercise
 
 
@@ -76,45 +77,6 @@ def positions(rng):
     return 50 + np.cumsum(rng.integers(0, 20, int(rng.integers(8, 12))) / 2), dt
 
 
-def published_speeds(z, dt):
-    """Differences, as published: zeros filled from the second place on."""
-    return np.concatenate([[0.0], np.diff(z) / dt])
-
-
-def averages(speed, window=5, first=0):
-    """Running averages over `window` values; the places for which there are not enough are NaN."""
-    out = np.full(len(speed), np.nan)
-    for k in range(first + window - 1, len(speed)):
-        out[k] = np.mean(speed[k - window + 1 : k + 1])
-    return out
-
-
-def as_published(z, dt):
-    speed = published_speeds(z, dt)
-    return np.array([sum(speed[max(0, k - 4) : k + 1]) / 5 for k in range(len(z))])
-
-
-def growing(z, dt):
-    """Averages over as many differences as there are, five at most."""
-    speed = np.diff(z) / dt
-    return np.array([np.nan, *(np.mean(speed[max(0, k - 4) : k + 1]) for k in range(len(speed)))])
-
-
-def late(z, dt):
-    """The right averages, one place too late."""
-    return np.concatenate([[np.nan], running(z, dt)[:-1]])
-
-
-def centred(z, dt):
-    """Averages over five differences about the place."""
-    right = running(z, dt)
-    return np.concatenate([right[2:], [np.nan, np.nan]])
-
-
-def running(z, dt):
-    return averages(np.concatenate([[np.nan], np.diff(z) / dt]), first=1)
-
-
 @exercise(
     hints=[
         "Five differences need six readings. Which is the first reading that has five before it?",
@@ -123,64 +85,7 @@ def running(z, dt):
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
     inputs=positions,
-    wrong={
-        "as published": (
-            as_published,
-            "That is the published one again: zeros that nobody measured are averaged, so every train starts from rest.",
-        ),
-        "zeros for NaN": (
-            lambda z, dt: np.nan_to_num(running(z, dt)),
-            "The averages are right, but where there is none you say 0 m/s, which is a speed. Say NaN: not known.",
-        ),
-        "one zero left": (
-            lambda z, dt: averages(published_speeds(z, dt)),
-            "The first average still holds the zero in place 0: five differences exist from `z[5]` on, not from `z[4]`.",
-        ),
-        "as many as there are": (
-            growing,
-            "An average over as many as there are is no lie, but its first value scatters by 14 m/s: five were asked for, NaN before.",
-        ),
-        "dt forgotten": (
-            lambda z, dt: running(z, 1.0),
-            "You forgot dt: metres per reading are not metres per second.",
-        ),
-        "multiplied by dt": (
-            lambda z, dt: running(z, 1.0) * dt,
-            "You multiplied by dt. A speed is metres *per* second: divide.",
-        ),
-        "the sum": (
-            lambda z, dt: 5 * running(z, dt),
-            "That is the sum of five differences; the average is a fifth of it.",
-        ),
-        "four": (
-            lambda z, dt: averages(np.concatenate([[np.nan], np.diff(z) / dt]), 4, first=1),
-            "You averaged four differences: between `z[k - 4]` and `z[k]` there are only four. Take `z[k - 5]`.",
-        ),
-        "five readings, over five": (
-            lambda z, dt: averages(np.concatenate([[np.nan], np.diff(z) / dt]), 4, first=1) * 4 / 5,
-            "Between `z[k - 4]` and `z[k]` lie four differences, and you divided by five: too slow by a fifth.",
-        ),
-        "late": (
-            late,
-            "Every average stands one place too late: the one that ends with reading k belongs to k.",
-        ),
-        "centred": (
-            centred,
-            "You centred the window: these averages need readings from the future.",
-        ),
-        "backwards": (
-            lambda z, dt: -running(z, dt),
-            "The sign: the later position minus the earlier one.",
-        ),
-        "the readings averaged": (
-            lambda z, dt: averages(np.asarray(z, dtype=float)),
-            "You averaged positions; the differences were asked for, in m/s.",
-        ),
-        "too short": (
-            lambda z, dt: (z[5:] - z[:-5]) / (5 * dt),
-            "The averages are right, but the first of them belongs to reading 5: one value for each reading, NaN in front.",
-        ),
-    },
+    wrong=WRONG["running_average"],
 )
 def running_average(z, dt):
     """The average of the last five differences at each reading, in units per second; NaN where five do not exist."""
@@ -313,10 +218,6 @@ def two_fixes(rng):
     return z0, z0 + float(rng.integers(3, 40)), float(rng.integers(2, 9) / 2) + 0.5, float(rng.integers(2, 50))
 
 
-def made(position, speed, P):
-    return np.array([position, speed]), np.array(P, dtype=float)
-
-
 @exercise(
     hints=[
         "The position is the last fix, z₁; its error is e₁, with variance R. Write the error of the speed with e₀ and e₁.",
@@ -325,58 +226,7 @@ def made(position, speed, P):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong={
-        "P₀ = I": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, np.eye(2)),
-            "The mean is right, and P₀ = I is the published habit again. The position is as good as a fix, R, and the speed worse.",
-        ),
-        "the corner forgotten": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, 0], [0, 2 * R / dt**2]]),
-            "Both variances are right, the corner is not: z₁ sits in the position and in the speed, so their errors belong together.",
-        ),
-        "sign of the corner": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, -R / dt], [-R / dt, 2 * R / dt**2]]),
-            "The corner has the wrong sign: if z₁ is too far ahead, so is the speed too high.",
-        ),
-        "one reading only": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, R / dt], [R / dt, R / dt**2]]),
-            "The speed has the errors of *two* fixes: 2R/dt². Your P even says that one direction is known exactly.",
-        ),
-        "dt not squared": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, R / dt], [R / dt, 2 * R / dt]]),
-            "The speed's variance is in (m/s)²: 2R must be divided by dt².",
-        ),
-        "dt forgotten in P": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, R], [R, 2 * R]]),
-            "The mean is right; in P you forgot dt, as if the fixes were one second apart.",
-        ),
-        "dt forgotten": (
-            lambda z0, z1, dt, R: made(z1, z1 - z0, [[R, R], [R, 2 * R]]),
-            "You forgot dt: the speed is the difference per second, (z₁ − z₀)/dt; P needs it too.",
-        ),
-        "deviations": (
-            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, np.sqrt(R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]]))),
-            "P holds variances and covariances; you took roots.",
-        ),
-        "the first fix": (
-            lambda z0, z1, dt, R: made(z0, (z1 - z0) / dt, [[R, R / dt], [R / dt, 2 * R / dt**2]]),
-            "The belief is one *after* the second fix: the position is z₁.",
-        ),
-        "the middle": (
-            lambda z0, z1, dt, R: made(
-                (z0 + z1) / 2, (z1 - z0) / dt, [[R / 2, R / dt / 2], [R / dt / 2, 2 * R / dt**2]]
-            ),
-            "The middle of both fixes is where the ship was half a step ago; now it is at z₁, give or take √R.",
-        ),
-        "backwards": (
-            lambda z0, z1, dt, R: made(z1, (z0 - z1) / dt, [[R, R / dt], [R / dt, 2 * R / dt**2]]),
-            "The sign of the speed: the later fix minus the earlier one.",
-        ),
-        "as published": (
-            lambda z0, z1, dt, R: made(z1, 0, np.eye(2)),
-            "Neither fix has said anything about the speed yet: it is (z₁ − z₀)/dt; and P₀ = I is the published habit.",
-        ),
-    },
+    wrong=WRONG["two_point_start"],
 )
 def two_point_start(z0, z1, dt, R):
     """Mean and covariance of (position, speed) after two fixes, dt apart, each with variance R."""

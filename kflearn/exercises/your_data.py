@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from kflearn.consistency import chi_square_interval
 from kflearn.exercises.engine import exercise
+from kflearn.results.consistency import chi_square_interval
 
 LOW, HIGH = chi_square_interval(1, 40)
 

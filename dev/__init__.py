@@ -1,0 +1,1 @@
+"""What builds, measures or attacks the course; each command is started as `python -m dev.…`."""

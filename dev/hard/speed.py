@@ -1,0 +1,58 @@
+"""Speed: as quick as promised, and never quicker than right: agreement is checked before anything is timed.
+
+The measurements are those of `make bench`, which also times the tests and writes BENCHMARKS.md.
+"""
+
+from dev.bench import filters, footprint, playground
+from dev.hard.line import Line
+
+FEWER = ("voltmeter", "EKF")  # races of a quick run
+IMPORT = 1.0  # kflearn's own share, in times of NumPy's
+KERNEL = 800  # MB; the class server gives each process 2 GB of data, of which not all is in memory
+
+
+def lines(quick):
+    for race in filters.races():
+        if not quick or race.name.startswith(FEWER):
+            yield from ratios(filters.run(race, 5 if quick else 25))
+    if not quick:
+        yield from pictures(playground.race())
+    yield import_line()
+    yield memory(["05"] if quick else None)
+
+
+def ratios(result):
+    """FilterPy must be slower by the race's goal; the other rivals are named, and must be slower at all."""
+    race = result.race
+    for rival, seconds in result.rivals.items():
+        ratio, goal = seconds / result.ours, race.goal if rival == "FilterPy" else 1
+        yield Line(f"{race.name}, beside {rival}", f"{ratio:,.0f} times as quick", f"≥ {goal:g}", ratio >= goal)
+    yield Line(
+        "  largest difference",
+        f"{result.difference:.0e}",
+        f"< {race.tolerance:.0e}",
+        result.difference < race.tolerance,
+    )
+
+
+def pictures(results):
+    """The playground in JupyterLab beside `interact`."""
+    (quicker, more), rate = playground.ratios(results), results[playground.LIVE][1]
+    wait = results[playground.LIVE][0]
+    yield Line("key to picture, beside interact", f"{wait:.0f} ms, {quicker:.1f} times as quick", "≥ 3", quicker >= 3)
+    yield Line("pictures while dragging, beside interact", f"{more:.1f} times as many", "≥ 4", more >= 4)
+    yield Line("pictures a second while dragging", f"{rate:.1f}", "≥ 15", rate >= 15)
+
+
+def import_line():
+    numpy, ours = footprint.import_time("numpy"), footprint.import_time("kflearn")
+    share = (ours - numpy) / numpy
+    words = f"{1e3 * (ours - numpy):.0f} ms, {share:.2f} of NumPy's"
+    return Line("import kflearn, after NumPy", words, f"< {IMPORT:g} of NumPy's", share < IMPORT)
+
+
+def memory(lessons):
+    sizes = footprint.kernels(lessons)
+    largest = max(sizes, key=sizes.get)
+    what = f"memory of a learner's kernel, most of {len(sizes)} whole lessons"
+    return Line(what, f"{sizes[largest]:.0f} MB, {largest}", f"< {KERNEL} MB", sizes[largest] < KERNEL)

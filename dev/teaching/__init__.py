@@ -1,0 +1,1 @@
+"""For teachers: assignments and their grading, slides, a class's load, a class server."""

@@ -1,0 +1,102 @@
+"""What would keep a class server from working, found before it starts.
+
+Each function answers with sentences for the teacher, or with an empty string where nothing is in the way.
+"""
+
+import logging
+import os
+import pwd
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import requests
+
+COURSE = Path(__file__).resolve().parents[2]
+GIT = "application/x-git-upload-pack-advertisement"  # what a git server says that it sends
+
+
+def obstacle(repository):
+    """The first thing in the way of a class. Only root starts servers for other accounts."""
+    return (os.geteuid() == 0 and cannot_run()) or (repository and cannot_copy(repository)) or ""
+
+
+def unreachable(path, wanted=0o005):
+    """The first place on the way to a path that other accounts may not enter; None if they get there and may read it.
+
+    Links are followed one by one, because each may lead through a closed folder.
+    """
+    path = Path(os.path.abspath(path))
+    for place in (*reversed(path.parents), path):
+        bits = wanted if place == path else 0o001
+        if place.is_symlink() and (closed := unreachable(place.parent / place.readlink(), bits)):
+            return closed
+        if place.stat().st_mode & bits != bits:
+            return place
+    return None
+
+
+def cannot_run():
+    """Learners run this Python with its packages, and the course's settings."""
+    for path in (sys.executable, sysconfig.get_path("stdlib"), sysconfig.get_path("purelib")):
+        if closed := unreachable(path):
+            return (
+                f"Learners cannot run the Python of this environment, because {closed} is closed to other accounts. "
+                "Make the environment with a Python that everybody may run, such as Debian's: `rm -r .venv`, then "
+                "`make .venv/more PYTHON=/usr/bin/python3`. A Python of pyenv, conda or uv must lie in an open folder, "
+                "such as one under /opt."
+            )
+    if closed := unreachable(COURSE):
+        return f"Learners cannot read the course, because {closed} is closed to other accounts. Move it under /opt."
+    return ""
+
+
+def cannot_copy(repository):
+    """Learners copy the course with git, each as an account of their own."""
+    if repository.startswith(("http://", "https://")):
+        return cannot_copy_from_the_web(repository)
+    folder = Path(repository.removeprefix("file://"))
+    if not folder.is_absolute() or os.geteuid():
+        return ""  # an address for ssh; or a hub for oneself alone
+    if not folder.exists():
+        return f"CLASS_REPOSITORY names the folder {folder}, which does not exist."
+    if closed := unreachable(folder):
+        return f"Learners cannot copy CLASS_REPOSITORY, because {closed} is closed to other accounts."
+    said = ask_as_nobody(repository)
+    if "dubious ownership" in said:
+        git = folder / ".git" if (folder / ".git").exists() else folder
+        return (
+            f"git does not let learners copy {folder}, because it belongs to another account. "
+            f"Allow it once: `git config --system --add safe.directory {git}`."
+        )
+    return said and f"Learners cannot copy CLASS_REPOSITORY. git says: {said}"
+
+
+def ask_as_nobody(repository):
+    """What git complains of when an account without any rights asks for the repository's branches."""
+    nobody = dict(user="nobody", group=pwd.getpwnam("nobody").pw_gid, extra_groups=[])
+    env = {"PATH": os.environ["PATH"], "HOME": "/", "LANG": "C"}
+    command = ["git", "ls-remote", "--heads", "--", repository]
+    done = subprocess.run(command, cwd="/", env=env, capture_output=True, text=True, **nobody)
+    return done.stderr.strip() if done.returncode else ""
+
+
+def cannot_copy_from_the_web(repository):
+    """nbgitpuller asks for the newest commit alone. A server that only hands out files cannot do this."""
+    try:
+        address = f"{repository.rstrip('/')}/info/refs?service=git-upload-pack"
+        answer = requests.get(address, timeout=10, stream=True)
+    except requests.RequestException as error:
+        logging.getLogger("class").warning("CLASS_REPOSITORY cannot be reached at the moment: %s", error)
+        return ""
+    with answer:
+        if answer.headers.get("Content-Type") == GIT or answer.status_code >= 500:
+            return ""
+        if not answer.ok:
+            return f"Learners cannot copy {repository}, which answers {answer.status_code} {answer.reason}."
+    return (
+        f"Learners cannot copy {repository}, because that server only hands out files. CLASS_REPOSITORY must be on a "
+        "git server that can send the newest commit alone, such as GitHub, GitLab or Gitea, or in a folder of this "
+        "machine."
+    )

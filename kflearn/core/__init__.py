@@ -1,0 +1,1 @@
+"""Array mathematics: angles, matrices, conditioning, recursions. Arguments are not checked here."""

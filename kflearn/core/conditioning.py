@@ -1,0 +1,66 @@
+"""Conditioning a Gaussian on a measurement: the few formulas that every filter and every smoother is made of."""
+
+import numpy as np
+
+from .matrices import congruence, correlations, symmetric
+
+
+def covariance_after(gain, P, H, R, basis=None):
+    """The covariance after a correction with this gain: (I−KH)P(I−KH)ᵀ + KRKᵀ.
+
+    This is Joseph's form, positive semi-definite for any K. For sigma points with the `basis` L, L Lᵀ = P, H is the
+    slope along L: (L−KH)(L−KH)ᵀ + KRKᵀ.
+    """
+    keep = (np.eye(P.shape[-1]) if basis is None else basis) - gain @ H
+    left = congruence(keep, P)[0] if basis is None else keep @ keep.mT
+    return symmetric(left + congruence(gain, R)[0])
+
+
+def without_missing(missing, S, cross):
+    """S and the cross-covariance C when some components (..., m) are missing.
+
+    Missing components get unit variance, no correlation with the others, and zero gain.
+    """
+    return decouple_missing(S, missing), cross * ~missing[..., None, :]
+
+
+def decouple_missing(R, missing):
+    """A covariance in which the missing components (..., m) have become independent with variance 1."""
+    seen = ~missing
+    return R * (seen[..., :, None] & seen[..., None, :]) + missing[..., :, None] * np.eye(missing.shape[-1])
+
+
+def divide(C, S):
+    """C S⁻¹ for C (..., n, m) and S (..., m, m), by solving; by Cramer's rule for m = 1 and 2, which is far faster."""
+    if S.shape[-1] == 1:
+        return C / S
+    if S.shape[-1] == 2:
+        adjugate = S[..., ::-1, ::-1].mT * _SIGNS
+        determinant = S[..., 0, 0] * S[..., 1, 1] - S[..., 0, 1] * S[..., 1, 0]
+        return C @ adjugate / determinant[..., None, None]
+    return np.linalg.solve(S.mT, C.mT).mT
+
+
+_SIGNS = np.array([[1.0, -1.0], [-1.0, 1.0]])
+
+
+def divide_safely(cross, P):
+    """C P⁻¹ where P may be singular, as when Q = 0 and something is known exactly: by way of the correlations."""
+    correlation, scale = correlations(P)
+    scale = scale[..., None, :]
+    # Transposed, so that roundings stay what they were: a smoother amplifies them where P is nearly singular.
+    return cross / scale @ np.linalg.pinv(correlation.mT, rtol=1e-14, hermitian=True) / scale
+
+
+def log_determinant(S):
+    """log det S of positive definite matrices (..., m, m); written out for m = 1 and 2."""
+    if S.shape[-1] == 1:
+        return np.log(S[..., 0, 0])
+    if S.shape[-1] == 2:
+        return np.log(S[..., 0, 0] * S[..., 1, 1] - S[..., 0, 1] * S[..., 1, 0])
+    return np.linalg.slogdet(S)[1]
+
+
+def squared_distance(y, S):
+    """yᵀ S⁻¹ y for y (..., m) and S (..., m, m)."""
+    return (divide(y[..., None, :], S) @ y[..., :, None])[..., 0, 0]

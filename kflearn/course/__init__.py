@@ -1,0 +1,1 @@
+"""The worlds of the course: scenarios, bearings, homing, navigation, video, recordings."""

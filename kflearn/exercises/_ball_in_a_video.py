@@ -1,0 +1,74 @@
+"""Wrong answers to exercises of lesson 17, each with the sentence that it gets."""
+
+import numpy as np
+from scipy import ndimage
+
+SQUARE = np.ones((3, 3))
+
+
+def largest(regions):
+    """The largest 4-connected region of a picture of True and False."""
+    labels, _ = ndimage.label(regions)
+    return labels == 1 + np.bincount(labels.ravel())[1:].argmax()
+
+
+def core(differs):
+    return largest(ndimage.binary_erosion(differs, SQUARE, iterations=2))
+
+
+def disc_radius(region):
+    return np.sqrt(region.sum() / np.pi)
+
+
+WRONG = {
+    "true_radius": {
+        "as published": (
+            lambda d: disc_radius(core(d)),
+            "That is the published radius again: the right region, counted after the erosions have taken its rim.",
+        ),
+        "two pixels added": (
+            lambda d: disc_radius(core(d)) + 2,
+            "Two erosions do not take off two pixels: a square reaches further along its diagonals. Count instead of guessing.",
+        ),
+        "all that differs": (
+            disc_radius,
+            "You counted everything that differs, stray pixels and cable included: only the ball's own region.",
+        ),
+        "largest before erosion": (
+            lambda d: disc_radius(largest(d)),
+            "Without erosion the largest region may be the cable, long and thin. Let the erosions decide which region it is.",
+        ),
+        "all cores": (
+            lambda d: disc_radius(ndimage.binary_propagation(ndimage.binary_erosion(d, SQUARE, iterations=2), mask=d)),
+            "You grew everything that survives the erosions: take the largest of these regions first.",
+        ),
+        "all eroded": (
+            lambda d: disc_radius(ndimage.binary_erosion(d, SQUARE, iterations=2)),
+            "You counted all that is left after the erosions, still without its rim: first choose the largest region, then undo the loss.",
+        ),
+        "dilated twice": (
+            lambda d: disc_radius(ndimage.binary_dilation(core(d), SQUARE, iterations=2)),
+            "Two dilations give nearly all of it back, but not the shape that was there: count the region as it stands in `differs`.",
+        ),
+        "eroded once": (
+            lambda d: disc_radius(largest(ndimage.binary_erosion(d, SQUARE))),
+            "One erosion less loses less, but it still loses, and the cable may survive it.",
+        ),
+        "area": (
+            lambda d: ndimage.binary_propagation(core(d), mask=d).sum(),
+            "That is the area, in pixels, and it is right. The radius is the root of area/π.",
+        ),
+        "root forgotten": (
+            lambda d: ndimage.binary_propagation(core(d), mask=d).sum() / np.pi,
+            "The area is right, the root is missing: area = π radius².",
+        ),
+        "diameter": (
+            lambda d: 2 * disc_radius(ndimage.binary_propagation(core(d), mask=d)),
+            "That is the diameter.",
+        ),
+        "π forgotten": (
+            lambda d: np.sqrt(ndimage.binary_propagation(core(d), mask=d).sum()),
+            "The area is right; a disc's radius is the root of area/π, not of the area.",
+        ),
+    },
+}

@@ -1,0 +1,282 @@
+"""Several models side by side: which of them explains the measurements, and what do they believe together?"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.frozen import freeze
+from ..models import checks as check
+from ..models.arguments import check_belief, check_model, check_series
+from ..models.gaussian import Gaussian, unchecked_gaussian
+from ..models.state_space import LinearModel
+from ..results.track import Filtered, read_only, scores
+from .moments import check_through, linearize
+from .steps import at_step, corrected_belief, predicted_belief
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class MultipleModelTrack(Filtered):
+    """The joint belief of M models along time, and what each of them believes.
+
+    filtered: Gaussian with mean (..., T, n) and cov (..., T, n, n), the mean and covariance of the mixture; `mean`,
+        `cov` and `std` are short for its own, `track[k]` is the mixture after step k.
+    mode_probabilities: (..., T, M), after each measurement.
+    modes: Gaussian (..., T, M, n), the belief of each model in the coordinates of the whole state.
+    log_likelihood: of the whole series, (...).
+    models: the models that the filter was given.
+    """
+
+    mode_probabilities: np.ndarray
+    modes: Gaussian
+    log_likelihood: np.ndarray
+    models: tuple
+
+    def __post_init__(self):
+        super().__post_init__()
+        object.__setattr__(self, "modes", read_only(self.modes))
+        freeze((self.mode_probabilities, self.log_likelihood))
+
+    def _sizes(self):
+        return f", M={self.mode_probabilities.shape[-1]} models"
+
+
+def imm_filter(
+    models, z, initial, u=None, *, transition, mode_probabilities, states=None, through=linearize
+) -> MultipleModelTrack:
+    """The interacting-multiple-model filter: models exchange beliefs, predict, correct and are weighed at each step.
+
+    Parameters
+    ----------
+    models : list
+        M models, linear and nonlinear ones mixed at will.
+    z, initial, u
+        As in kalman_filter; one belief for all models at the start.
+    transition : array_like
+        (M, M): transition[i, j] is the probability that model j follows model i; its rows sum to 1.
+    mode_probabilities : array_like
+        (M,), the probabilities of the models at the start.
+    states : list of lists, optional
+        For models of fewer states than `initial`: which components of the whole state each model has. What a model
+        lacks, it believes to be exactly 0 (a constant-velocity model: no acceleration).
+    through : callable
+        linearize, unscented(n) or cubature(n), for the nonlinear models.
+
+    Returns
+    -------
+    MultipleModelTrack
+
+    Raises
+    ------
+    ValueError, TypeError
+        Naming the argument, where the pieces do not fit or f or h of a model returns NaN.
+
+    References
+    ----------
+    Blom and Bar-Shalom 1988. Weights are kept as logarithms, so that no model is lost for ever.
+
+    Examples
+    --------
+    >>> from kflearn import Gaussian, imm_filter, random_walk
+    >>> quiet, lively = random_walk(0.01, 1), random_walk(4, 1)
+    >>> often = [[0.9, 0.1], [0.1, 0.9]]
+    >>> z = [0.1, 0.0, 0.2, 0.1, 4.0]
+    >>> track = imm_filter([quiet, lively], z, Gaussian(0, 1), transition=often, mode_probabilities=[0.5, 0.5])
+    >>> print([f"{probability:.2f}" for probability in track.mode_probabilities[-2:, 1]])  # lively, around the jump
+    ['0.13', '0.94']
+    """
+    given, models = models, lifted(models, initial, states)
+    check_through(through)
+    M = len(models)
+    transition = check.numbers("transition", transition)
+    if transition.shape != (M, M):
+        raise ValueError(f"transition must have shape {(M, M)}, got {transition.shape}: one chain serves all steps")
+    weights = _probabilities("mode_probabilities", mode_probabilities, M)
+    for row in transition:
+        _probabilities("each row of transition", row, M)
+    return _filter(tuple(given), models, z, initial, u, transition, weights, through)
+
+
+def mmae_filter(
+    models, z, initial, u=None, *, mode_probabilities=None, states=None, through=linearize
+) -> MultipleModelTrack:
+    """Multiple-model adaptive estimation: a bank of filters that never exchange anything, weighed by their likelihoods.
+
+    One of the models is taken to be the true one, for ever.
+
+    Parameters
+    ----------
+    models, z, initial, u, states, through
+        As in imm_filter.
+    mode_probabilities : array_like, optional
+        (M,), the probabilities of the models at the start; equal without it.
+
+    Returns
+    -------
+    MultipleModelTrack
+
+    Raises
+    ------
+    ValueError, TypeError
+        As in imm_filter.
+
+    References
+    ----------
+    Magill 1965.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from kflearn import Gaussian, mmae_filter, random_walk
+    >>> z = np.random.default_rng(0).normal(0, 3, 100)
+    >>> bank = [random_walk(0.01, R) for R in (1, 9)]
+    >>> print(f"R = 9 has the probability {mmae_filter(bank, z, Gaussian(0, 1)).mode_probabilities[-1, 1]:.3f}")
+    R = 9 has the probability 1.000
+    """
+    given, models = models, lifted(models, initial, states)
+    check_through(through)
+    M = len(models)
+    equal = np.full(M, 1 / M)
+    weights = equal if mode_probabilities is None else _probabilities("mode_probabilities", mode_probabilities, M)
+    return _filter(tuple(given), models, z, initial, u, np.eye(M), weights, through)
+
+
+def _filter(given, models, z, initial, u, transition, weights, through):
+    """The loop. Inside it the axis of the models comes first: beliefs (M, ..., n), logarithms of weights (M, ...)."""
+    n, M = initial.mean.shape[-1], len(models)
+    checked = [check_series(model, z, initial, u) for model in models]
+    z, u, _ = checked[0]
+    batch = check.batches(**{f"model {j}": axes for j, (_, _, axes) in enumerate(checked)})
+    bank = _bank(models, len(batch))
+    beliefs = unchecked_gaussian(
+        np.broadcast_to(initial.mean, (M, *batch, n)), np.broadcast_to(initial.cov, (M, *batch, n, n))
+    )
+    ones = (1,) * len(batch)
+    with np.errstate(divide="ignore"):
+        log_transition = np.log(transition).reshape(M, M, *ones)
+        log_weights = np.log(weights).reshape(M, *ones)
+    rows, total = [], 0.0
+    for k in range(z.shape[-2]):
+        beliefs, log_weights = _mix(beliefs, log_weights, log_transition)
+        beliefs, log_likelihood = _step(bank, beliefs, z[..., k, :], at_step(u, k), k, through)
+        log_weights = log_weights + log_likelihood
+        evidence = np.logaddexp.reduce(log_weights, axis=0)
+        log_weights = log_weights - evidence
+        total = total + evidence
+        rows.append((log_weights, beliefs.mean, beliefs.cov))
+    return _track(rows, total, given)
+
+
+def _track(rows, total, given):
+    """The result: per step, the logarithms of the weights (M, ...), and the means and covariances of all models."""
+    log_weights, means, covs = zip(*rows, strict=True)
+    modes = unchecked_gaussian(np.stack(means, axis=-2), np.stack(covs, axis=-3))
+    shares = np.exp(np.stack(log_weights, axis=-1))
+    last = unchecked_gaussian(np.moveaxis(modes.mean, 0, -2), np.moveaxis(modes.cov, 0, -3))
+    return MultipleModelTrack(_mixture(shares, modes), np.moveaxis(shares, 0, -1), last, total, given)
+
+
+def _mix(beliefs, log_weights, log_transition):
+    """What each model starts the step with, and how probable it is before the measurement."""
+    joint = log_weights[:, None] + log_transition  # from model i to model j
+    arriving = np.logaddexp.reduce(joint, axis=0)
+    alive = np.isfinite(arriving)
+    if alive.all():
+        return _mixture(np.exp(joint - arriving), beliefs), arriving
+    own = np.eye(len(joint)).reshape(log_transition.shape)
+    return _mixture(np.where(alive, np.exp(joint - np.where(alive, arriving, 0)), own), beliefs), arriving
+
+
+def _mixture(shares, beliefs):
+    """Mean and covariance of a mixture of M beliefs (M, ..., n): shares (M, ...), or (M, J, ...) for J mixtures."""
+    shares = shares[..., None]
+    mean = sum(share * x for share, x in zip(shares, beliefs.mean, strict=True))
+    cov = 0.0
+    for share, x, P in zip(shares, beliefs.mean, beliefs.cov, strict=True):
+        apart = x - mean
+        cov = cov + share[..., None] * (P + apart[..., :, None] * apart[..., None, :])
+    return unchecked_gaussian(mean, cov)
+
+
+def _step(bank, beliefs, z, u, k, through):
+    """Every model predicts and corrects: beliefs (M, ..., n) and log-likelihoods (M, ...)."""
+    if isinstance(bank, LinearModel):
+        predicted = predicted_belief(bank, beliefs, u, k, linearize)
+        after, _, innovation = corrected_belief(bank, predicted, z, k, linearize)
+        return after, scores(innovation)[1]
+    parts = []
+    for model, mean, cov in zip(bank, beliefs.mean, beliefs.cov, strict=True):
+        predicted = predicted_belief(model, unchecked_gaussian(mean, cov), u, k, through)
+        after, _, innovation = corrected_belief(model, predicted, z, k, through)
+        parts.append((after.mean, after.cov, scores(innovation)[1]))
+    means, covs, logs = (np.stack(part) for part in zip(*parts, strict=True))
+    return unchecked_gaussian(means, covs), logs
+
+
+def lifted(models, initial, states):
+    """The models, each written for the whole state."""
+    if not isinstance(models, (list, tuple)) or not models:
+        raise TypeError(f"models must be a list of models, got {type(models).__name__}")
+    for model in models:
+        check_model(model)
+    measured = {model.m for model in models}
+    if len(measured) > 1:
+        raise ValueError(f"models must all measure the same components, got {sorted(measured)} of them")
+    if states is None:
+        for model in models:
+            check_belief("initial", initial, model)
+        return list(models)
+    if not isinstance(initial, Gaussian):
+        raise TypeError(f"initial must be a Gaussian, got {type(initial).__name__}")
+    n = initial.mean.shape[-1]
+    if not isinstance(states, (list, tuple)) or len(states) != len(models):
+        raise ValueError(f"states must be a list of {len(models)} lists, one for each model, got {states!r}")
+    return [_lift(model, n, kept) for model, kept in zip(models, states, strict=True)]
+
+
+def _lift(model, n, kept):
+    """A model of the states `kept` as a model of all n: the others stay at 0."""
+    try:
+        kept = [check.whole_number("each of states", i, least=0) for i in kept]
+    except TypeError:
+        raise TypeError(f"each of states must be a list of indices, got {kept!r}") from None
+    if len(set(kept)) != model.n or len(kept) != model.n or max(kept) >= n:
+        raise ValueError(f"each of states must hold as many different indices below {n} as its model has states")
+    E = np.eye(n)[:, kept]
+    if isinstance(model, LinearModel):
+        B = None if model.B is None else E @ model.B
+        return LinearModel(E @ model.F @ E.T, model.H @ E.T, E @ model.Q @ E.T, model.R, B)
+    return model.replace(
+        f=lambda x, *u: model.move(x[..., kept], *u) @ E.T,
+        h=lambda x: model.measure(x[..., kept]),
+        Q=E @ model.Q @ E.T,
+        F_jacobian=lambda x, *u: E @ model.move_slope(x[..., kept], *u) @ E.T,
+        H_jacobian=lambda x: model.measure_slope(x[..., kept]) @ E.T,
+    )
+
+
+def _bank(models, axes):
+    """All models as one, the axis of models before `axes` batch axes, where they are linear: one step serves all."""
+    if not all(isinstance(model, LinearModel) for model in models):
+        return models
+    F, H, Q, R = (_stacked([getattr(model, name) for model in models], axes) for name in "FHQR")
+    pushed = [model.B for model in models if model.B is not None]
+    if not pushed:
+        return LinearModel(F, H, Q, R)
+    B = [np.zeros_like(pushed[0]) if model.B is None else model.B for model in models]
+    return LinearModel(F, H, Q, R, _stacked(B, axes))
+
+
+def _stacked(matrices, axes):
+    """Matrices (rows, columns) or (..., T, rows, columns) as one stack (M, ..., T, rows, columns)."""
+    wide = [M.reshape((1,) * (axes + 3 - M.ndim) + M.shape) for M in matrices]
+    return np.stack(np.broadcast_arrays(*wide))
+
+
+def _probabilities(name, value, M):
+    """Probabilities (M,), after they were looked at."""
+    array = check.numbers(name, value)
+    if array.shape != (M,):
+        raise ValueError(f"{name} must have shape ({M},), got {check.found_in(array)}")
+    if (array < 0).any() or abs(array.sum() - 1) > 1e-9:
+        raise ValueError(f"{name} must hold probabilities that sum to 1, got {array.tolist()}")
+    return array

@@ -1,0 +1,257 @@
+"""One step at a time: predict and correct, and how a filter may start from a measurement.
+
+`correct` is Gaussian conditioning: K = C S⁻¹ with the cross-covariance C of state and measurement. For a linear model
+C = P⁻Hᵀ, and these are eqs (5)–(9). The letters are explained in `kalman`.
+"""
+
+from math import isfinite
+
+import numpy as np
+
+from ..core.conditioning import covariance_after, divide, without_missing
+from ..core.matrices import compact, matvec, step_matrix, symmetric
+from ..models import checks as check
+from ..models.arguments import check_belief, check_control, check_measure, check_model, check_move, check_step
+from ..models.gaussian import Gaussian, unchecked_gaussian
+from ..models.state_space import LinearModel, NonlinearModel
+from ..results.track import read_only
+from .moments import check_through, linearize
+
+
+def predict(model, belief, u=None, *, k=0, through=linearize) -> Gaussian:
+    """The belief one step later, before its measurement: eqs (5) and (6).
+
+    Parameters
+    ----------
+    model : LinearModel or NonlinearModel
+        With n states.
+    belief : Gaussian
+        Mean (..., n), in the units of the states.
+    u : array_like, optional
+        The control input, (p,) or (..., p), or a number when p = 1.
+    k : int
+        The step, counted from 0; it matters for models whose matrices change with time.
+    through : callable
+        How the belief goes through f: linearize, unscented(n) or cubature(n).
+
+    Returns
+    -------
+    Gaussian
+        Read-only; its mean and its covariance have the batch axes of all arguments together.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Naming the argument, where the pieces do not fit or f returns NaN.
+
+    References
+    ----------
+    Kalman 1960; Bar-Shalom, Li and Kirubarajan 2001, ch. 5.2.
+
+    Examples
+    --------
+    >>> from kflearn import Gaussian, cart, predict
+    >>> later = predict(cart(dt=1, mass=1, Q=[[4, 0], [0, 0]], R=1), Gaussian([50, 10], [[1, 0], [0, 0]]))
+    >>> print(f"{later:.0f}")
+    N([60, 10], [[5, 0], [0, 0]])
+    """
+    check_model(model)
+    check_through(through)
+    check_belief("belief", belief, model)
+    axes = check_step(model, k)
+    if u is not None:
+        u = np.atleast_1d(check.numbers("u", u))
+        check_control(model, u)
+        axes["u"] = u.shape[:-1]
+    belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, **axes))
+    check_move(model, belief.mean, u)
+    return read_only(predicted_belief(model, belief, u, k, through))
+
+
+def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
+    """The belief after the measurement z: eqs (7)–(9).
+
+    Parameters
+    ----------
+    model : LinearModel or NonlinearModel
+        With n states, of which m components are measured.
+    belief : Gaussian
+        What was predicted, mean (..., n).
+    z : array_like
+        (m,) or (..., m), or a number when m = 1; NaN marks components that were not measured.
+    k, through
+        As in predict.
+
+    Returns
+    -------
+    Gaussian
+        Read-only; its mean and its covariance have the batch axes of all arguments together.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Naming the argument, where the pieces do not fit or h returns NaN.
+
+    References
+    ----------
+    Kalman 1960; Bar-Shalom, Li and Kirubarajan 2001, ch. 5.2.
+
+    Examples
+    --------
+    >>> from kflearn import Gaussian, correct, random_walk
+    >>> print(f"{correct(random_walk(1, 1), Gaussian(60, 5), 62):.3f}")
+    N(61.667, 0.833)
+    """
+    check_model(model)
+    check_through(through)
+    check_belief("belief", belief, model)
+    axes = check_step(model, k)
+    z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
+    belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, z=z.shape[:-1], **axes))
+    check_measure(model, belief.mean)
+    return read_only(corrected_belief(model, belief, z, k, through)[0])
+
+
+def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None) -> Gaussian:
+    """One step with defaults, as the published `kalmanf` meant it: predict with F, Q, B and u, correct with z.
+
+    Parameters
+    ----------
+    z, R : array_like
+        The measurement (m,) and its covariance (m, m).
+    x, P : array_like, optional
+        The belief before the step, (n,) and (n, n). Without both, the filter starts from the measurement as in
+        start_from, and nothing is predicted.
+    F, H, Q, B, u : array_like, optional
+        F and H default to the identity, Q to zero.
+
+    Returns
+    -------
+    Gaussian
+        The belief after the step.
+
+    Raises
+    ------
+    ValueError
+        When the start is known only in part (x without P, NaN in x), or when H cannot be inverted.
+
+    Examples
+    --------
+    >>> from kflearn import kalman_step
+    >>> print(f"{kalman_step(62, 1, x=60, P=5):.3f}")
+    N(61.667, 0.833)
+    """
+    z = np.atleast_1d(check.numbers("z", z, gaps=True))
+    H = np.eye(z.shape[-1]) if H is None else check.matrix("H", H, z.shape[-1], None)
+    n = H.shape[-1]
+    model = LinearModel(np.eye(n) if F is None else F, H, np.zeros((n, n)) if Q is None else Q, R, B)
+    if x is None and P is None:
+        return start_from(model, z)
+    if x is None or P is None:
+        missing, given = ("x", "P") if x is None else ("P", "x")
+        raise ValueError(f"{missing} must be given together with {given}: give both, or neither to start from z")
+    x = check.shape("x", np.atleast_1d(check.numbers("x", x, gaps=True)), (n,))
+    if np.isnan(x).any():
+        raise ValueError("x must be known completely, found NaN: leave out x and P to start from z")
+    return correct(model, predict(model, Gaussian(x, check.covariance("P", P, n)), u), z)
+
+
+def start_from(model, z) -> Gaussian:
+    """The belief that one measurement alone gives, x = H⁻¹ z and P = H⁻¹ R H⁻ᵀ: a start when nothing else is known.
+
+    Parameters
+    ----------
+    model : LinearModel
+        With an invertible H: as many components are measured as there are states.
+    z : array_like
+        (..., m), or a number when m = 1.
+
+    Returns
+    -------
+    Gaussian
+        Mean (..., n) and one covariance (n, n).
+
+    Raises
+    ------
+    ValueError
+        When H is not square or is singular.
+
+    Examples
+    --------
+    >>> from kflearn import random_walk, start_from
+    >>> print(f"{start_from(random_walk(1, 4), 3):.0f}")
+    N(3, 4)
+    """
+    if not isinstance(model, LinearModel):
+        raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
+    H, R = step_matrix(model.H, 0), step_matrix(model.R, 0)
+    z = check.shape("z", np.atleast_1d(check.numbers("z", z)), (model.m,))
+    if model.m != model.n or not _invertible(H):
+        raise ValueError(f"H of shape {H.shape} must be invertible to start from z: not every state is measured")
+    half = np.linalg.solve(H, R)
+    return Gaussian(np.linalg.solve(H, z[..., None])[..., 0], symmetric(np.linalg.solve(H, half.mT)))
+
+
+def _invertible(H):
+    """Has a square matrix, or each of a stack, full rank in whatever units? Rows and columns are brought to size 1."""
+    for axis in (-1, -2):
+        size = abs(H).max(axis=axis, keepdims=True)
+        H = H / np.where(size > 0, size, 1)
+    return (np.linalg.matrix_rank(H) == H.shape[-1]).all()
+
+
+def starting_belief(initial, batch):
+    """The initial belief with a mean and a covariance for every run."""
+    n = initial.mean.shape[-1]
+    return unchecked_gaussian(np.broadcast_to(initial.mean, (*batch, n)), np.broadcast_to(initial.cov, (*batch, n, n)))
+
+
+def at_step(series, k):
+    """Row k of a series (..., T, p), or None where there is no series."""
+    return None if series is None else series[..., k, :]
+
+
+def predicted_belief(model, belief, u, k, through, Q=None):
+    """The belief one step later, nothing checked but what f returns; Q: in place of the model's own."""
+    moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k))
+    # A quick test: a sum is finite only if all its terms are.
+    if isinstance(model, NonlinearModel) and not isfinite(moved.mean.sum()):
+        _check_finite("f", moved.mean, belief, k)
+    return unchecked_gaussian(moved.mean, symmetric(moved.cov + (step_matrix(model.Q, k) if Q is None else Q)))
+
+
+def corrected_belief(model, predicted, z, k, through):
+    """The belief after a measurement, the gain, and the innovation with its covariance; arguments are not checked."""
+    expected, innovation = expected_measurement(model, predicted, z, k, through)
+    return condition(predicted, expected, innovation, step_matrix(model.R, k), k)
+
+
+def expected_measurement(model, predicted, z, k, through):
+    """What the measurement should be, Moments without its noise, and the innovation z − ẑ."""
+    expected = through(predicted, lambda x: model.measure(x, k), lambda x: model.measure_slope(x, k), model.difference)
+    return expected, model.difference(z, expected.mean)
+
+
+def condition(predicted, expected, innovation, R, k):
+    """Gaussian conditioning on the measurement of step k: the belief after it, the gain, the innovation with S."""
+    full = S = expected.cov + R
+    cross, y, missing = expected.cross, innovation, np.isnan(innovation)
+    if missing.any():
+        _check_finite("h", expected.mean, predicted, k)
+        S, cross = without_missing(missing, S, cross)
+        y = np.where(missing, 0, y)
+    gain = divide(cross, S)
+    P = covariance_after(gain, predicted.cov, expected.slope, R + expected.rest, expected.basis)
+    return unchecked_gaussian(predicted.mean + matvec(gain, y), P), gain, unchecked_gaussian(innovation, full)
+
+
+def _check_finite(name, values, belief, k):
+    """A function of finite states has to return finite numbers: NaN would pass for "not measured" later on."""
+    odd = values[~np.isfinite(values)]
+    if odd.size and np.isfinite(belief.mean).all():
+        raise ValueError(f"{name} must return finite numbers, found {odd[0]} at step {k}")
+
+
+def _with_a_mean_each(belief, batch):
+    """The same belief with a mean for every run; its covariance stays shared where it is."""
+    return unchecked_gaussian(np.broadcast_to(belief.mean, (*batch, belief.mean.shape[-1])), compact(belief.cov))

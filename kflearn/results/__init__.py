@@ -1,0 +1,1 @@
+"""What a filter returns, and how it is judged."""

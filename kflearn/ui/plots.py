@@ -1,0 +1,293 @@
+"""One visual vocabulary for every figure of the course.
+
+The same thing looks the same everywhere, and never by its colour alone:
+
+    truth         black, thin solid line
+    measurement   grey dots
+    prediction    orange, dashed line with triangles
+    estimate      blue, thick solid line with a band of ±2 standard deviations
+    gain          green, dash-dotted line with diamonds
+    outlier       vermilion crosses
+
+Each function draws one of them on matplotlib axes and returns it as an object with a `set` method, so that a live
+picture is changed in place: `line = estimate(ax, t, mean, std)`, later `line.set(t, mean, std)`. Figures are made
+without pyplot: nothing is registered, nothing has to be closed, and `show(fig, alt)` puts a figure into the notebook
+with words for those who cannot see it.
+
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> dots = plots.measurements(ax, [0, 1, 2], [0.2, 0.9, 2.1])
+    >>> line = plots.estimate(ax, [0, 1, 2], [0.1, 1.0, 2.0], [0.3, 0.2, 0.2])
+    >>> [text.get_text() for text in ax.legend().get_texts()]
+    ['measurement', '±2σ', 'estimate']
+"""
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from .drawn import Density, Drawn, Estimate, Line, fit
+from .looks import colours, style
+from .pictures import display_png, encode, pixels, png, show
+
+__all__ = [
+    "Density",
+    "Drawn",
+    "Estimate",
+    "Line",
+    "colours",
+    "density",
+    "display_png",
+    "encode",
+    "estimate",
+    "figure",
+    "fit",
+    "gain",
+    "measurements",
+    "outliers",
+    "pixels",
+    "png",
+    "prediction",
+    "show",
+    "style",
+    "truth",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def figure(rows=1, columns=1, size=(8, 4.5), **subplots_kw) -> tuple:
+    """Make a new figure in the course's style, and its axes.
+
+    Parameters
+    ----------
+    rows, columns : int
+        How many axes. With rows=0 the figure comes without axes.
+    size : (float, float)
+        Width and height in inches, at 100 dots per inch.
+    **subplots_kw
+        Passed to `Figure.subplots`, for instance sharex=True or height_ratios=(2, 1).
+
+    Returns
+    -------
+    fig : matplotlib Figure
+    axes : Axes, array of Axes or None
+        One Axes, or an array of them as `Figure.subplots` gives it; None when rows=0.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, (above, below) = plots.figure(2, sharex=True, size=(6, 4))
+    >>> fig.get_size_inches().tolist()
+    [6.0, 4.0]
+    """
+    with style():
+        fig = Figure(figsize=size)
+        FigureCanvasAgg(fig)
+        axes = fig.subplots(rows, columns, **subplots_kw) if rows else None
+    return fig, axes
+
+
+# ---- the vocabulary
+
+
+def truth(ax, t, x, label="truth", **look) -> Line:
+    """Draw the true state: a thin black line.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t, x : array (T,)
+        Times and states.
+    label : str
+        Its name in the legend.
+    **look
+        Settings of matplotlib's `plot` that come before the course's own.
+
+    Returns
+    -------
+    Line
+        `.set(t, x)` moves it.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> line = plots.truth(ax, [0, 1, 2], [0, 1, 4])
+    >>> line.set([0, 1, 2], [0, 2, 8]).data
+    ([0, 1, 2], [0, 2, 8])
+    """
+    return Line(ax, "truth", t, x, label, **look)
+
+
+def measurements(ax, t, z, label="measurement", **look) -> Line:
+    """Draw measurements: grey dots.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t, z : array (T,)
+        Times and measurements.
+    label, **look
+        As in `truth`.
+
+    Returns
+    -------
+    Line
+        `.set(t, z)` moves it.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> plots.measurements(ax, [0, 1, 2], [0.1, 0.8, 4.2]).artists[0].get_marker()
+    'o'
+    """
+    return Line(ax, "measurement", t, z, label, **look)
+
+
+def prediction(ax, t, x, label="prediction", **look) -> Line:
+    """Draw predicted values: a dashed orange line with triangles.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t, x : array (T,)
+        Times and predicted values.
+    label, **look
+        As in `truth`.
+
+    Returns
+    -------
+    Line
+        `.set(t, x)` moves it.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> plots.prediction(ax, [0, 1, 2], [0, 1, 3]).artists[0].get_linestyle()
+    '--'
+    """
+    return Line(ax, "prediction", t, x, label, **look)
+
+
+def gain(ax, t, k, label="gain", **look) -> Line:
+    """Draw a Kalman gain along time: a dash-dotted green line with diamonds.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t, k : array (T,)
+        Times and gains.
+    label, **look
+        As in `truth`.
+
+    Returns
+    -------
+    Line
+        `.set(t, k)` moves it.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> plots.gain(ax, [0, 1, 2], [0.9, 0.5, 0.4]).artists[0].get_label()
+    'gain'
+    """
+    return Line(ax, "gain", t, k, label, **look)
+
+
+def outliers(ax, t, z, label="outlier", **look) -> Line:
+    """Draw outlying or rejected measurements: vermilion crosses.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t, z : array (T,)
+        Times and measurements; both may be empty.
+    label, **look
+        As in `truth`.
+
+    Returns
+    -------
+    Line
+        `.set(t, z)` moves them.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> plots.outliers(ax, [], []).set([1], [9.0]).data
+    ([1], [9.0])
+    """
+    return Line(ax, "outlier", t, z, label, **look)
+
+
+def estimate(ax, t, mean, std=None, label="estimate", **look) -> Estimate:
+    """Draw estimates: a blue line and, with std, a band of ±2 standard deviations.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t, mean : array (T,)
+        Times and estimates.
+    std : array (T,), optional
+        Standard deviations, in the unit of `mean`.
+    label, **look
+        As in `truth`.
+
+    Returns
+    -------
+    Estimate
+        `.set(t, mean, std)` moves the line and its band together.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> drawn = plots.estimate(ax, [0, 1, 2], [0, 1, 2], [1, 1, 1])
+    >>> [artist.get_label() for artist in drawn.artists]
+    ['±2σ', 'estimate']
+    """
+    return Estimate(ax, t, mean, std, label, **look)
+
+
+def density(ax, x_grid, mean, variance, kind="estimate", label=None, **look) -> Density:
+    """Draw a Gaussian bell in the colours of a role.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    x_grid : array (n,)
+        Where the bell is drawn.
+    mean : float
+        In the unit of `x_grid`.
+    variance : float
+        In that unit squared, above 0.
+    kind : str
+        "truth", "measurement", "prediction", "estimate", "gain" or "outlier".
+    label : str, optional
+        Its name in the legend, `kind` when not given.
+    **look
+        As in `truth`.
+
+    Returns
+    -------
+    Density
+        `.set(mean, variance)` moves it.
+
+    Raises
+    ------
+    KeyError
+        For another kind.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> plots.density(ax, [-1, 0, 1], 0, 1, kind="prediction").set(0.5, 4).data
+    (0.5, 4)
+    """
+    return Density(ax, x_grid, mean, variance, kind, label, **look)

@@ -1,0 +1,52 @@
+"""What an exercise must stand before it meets a learner."""
+
+import re
+
+import numpy as np
+
+from kflearn.exercises._answers import chosen, parts
+from kflearn.exercises.engine import ChoiceExercise, FunctionExercise, Outcome, ValueExercise
+
+UNTOUCHED = (..., None)
+UNTOUCHED_FUNCTIONS = (lambda *inputs: None, lambda *inputs: ...)
+
+
+def assert_sound(each):
+    """The solution passes, each wrong answer gets its own sentence, the hints are sound."""
+    assert each.question, f"{each.name}: the question (the solution's docstring) is missing"
+    solved = each.check(each._answer())
+    assert solved.status == "right", f"{each.name}: its own solution gets: {solved}"
+    for label, (answer, sentence) in each.wrong.items():
+        assert sentence.strip(), f"{each.name}: the wrong answer {label!r} has no sentence"
+        expected, found = Outcome("wrong", sentence).text, each.check(answer).text
+        assert found == expected, f"{each.name}: the wrong answer {label!r} gets: {found}"
+    for untouched in UNTOUCHED + (UNTOUCHED_FUNCTIONS if isinstance(each, FunctionExercise) else ()):
+        assert each.check(untouched).status == "not attempted", f"{each.name}: untouched is not recognised"
+    assert len(each.hints) >= 2, f"{each.name}: two hints or more are wanted"
+    for hint in each.hints:
+        assert re.search(r"\w \S.*[.?!…:)`]$", hint, re.S), f"{each.name}: this hint is no sentence: {hint!r}"
+    for hint in each.hints[:-1]:
+        assert not gives_away(hint, each), f"{each.name}: this hint gives the answer away: {hint!r}"
+    assert each.solution().text.startswith(f"def {each.name}("), f"{each.name}: the solution cannot be shown"
+
+
+def gives_away(hint, each):
+    """Does a hint name every number of the answer, or every line?"""
+    found = numbers_in(hint)
+    if isinstance(each, ChoiceExercise):
+        return each.lines and {int(line) for line in chosen(each.right)} <= set(found)
+    if isinstance(each, ValueExercise):
+        return bool(np.isclose(found[:, None], entries(each.right), each.rtol).any(axis=0).all())
+    return False
+
+
+def numbers_in(text):
+    """The numbers a text names, those of equations left out: "eq (12)"."""
+    text = re.sub(r"\beqs?\.? ?\([^)]*\)", "", text.replace("−", "-"))
+    return np.array(re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?", text), dtype=float)
+
+
+def entries(value):
+    """All numbers of a value, in a flat array."""
+    pieces = parts(value).values()
+    return np.concatenate([entries(piece) for piece in pieces]) if pieces else np.ravel(value)

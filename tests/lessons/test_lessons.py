@@ -1,0 +1,170 @@
+"""What every lesson promises: its measure, its outputs, its links, and sliders that work at their ends.
+
+That the outputs are true is nbval's part, which runs on notebooks/ in the same pytest command.
+"""
+
+import re
+import statistics
+from itertools import pairwise
+from pathlib import Path
+from urllib.parse import urlparse
+
+import nbformat
+import pytest
+
+from dev.notebooks import WIDGET, execute
+
+ROOT = Path(__file__).parents[2]
+
+LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+per_lesson = pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+
+SWEEP = """
+from kflearn.ui import Playground
+_found = [value for value in globals().values() if isinstance(value, Playground)]
+assert _found, "the lesson has no playground"
+for _playground in _found:
+    assert _playground.errors == 0
+    assert _playground.sweep() >= 3
+"""
+
+
+def load(path):
+    notebook = nbformat.read(path, as_version=4)
+    nbformat.validate(notebook)
+    return notebook
+
+
+def code_cells(notebook):
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def texts(notebook):
+    return [cell.source for cell in notebook.cells if cell.cell_type == "markdown"]
+
+
+def words(text):
+    return len(re.findall(r"\w+", text))
+
+
+def lines(cell):
+    return [line for line in cell.source.splitlines() if line.strip()]
+
+
+LIVE = "*The outputs below are stored from an earlier run. Run the cells from the top"
+
+
+@per_lesson
+def test_the_first_lines_say_how_to_make_it_live(path):
+    first = load(path).cells[0].source
+    assert (LIVE in first) or (path.name[:2] == "00" and "stored from an earlier run" in first)
+
+
+def test_there_are_lessons():
+    assert len(LESSONS) >= 4
+    assert [path.name[:2] for path in LESSONS] == sorted({path.name[:2] for path in LESSONS})
+
+
+@per_lesson
+def test_measure(path):
+    notebook = load(path)
+    code, prose = code_cells(notebook), texts(notebook)
+    lengths = sorted(len(lines(cell)) for cell in code)
+    assert 40 <= len(notebook.cells) <= 60
+    assert 20 <= len(code) <= 30
+    assert statistics.median(lengths) <= 4
+    assert lengths[int(0.9 * len(lengths))] <= 10
+    assert lengths[-1] <= 20
+    total = sum(words(text) for text in prose)
+    assert 1200 <= total <= 4000
+    assert 12 <= total / sum(lengths) <= 24
+    assert max(words(text) for text in prose) <= 200
+    kinds = "".join(cell.cell_type[0] for cell in notebook.cells)
+    assert "ccc" not in kinds, "three code cells without prose"
+
+
+@per_lesson
+def test_code_is_a_readers_code(path):
+    code = "\n".join(cell.source for cell in code_cells(load(path)))
+    for unwanted in (
+        "import *",
+        "sys" + ".path",
+        "!pip",
+        "%pip",
+        "requests",
+        "urllib",
+        "open(",
+        "time.time",
+        "warnings",
+    ):
+        assert unwanted not in code, unwanted
+    assert code.count(".check(") >= 3, "three exercises at least"
+    assert "filterpy" in code or path.stem.startswith("00"), "the same in FilterPy"
+
+
+@per_lesson
+def test_outputs_are_stored(path):
+    notebook = load(path)
+    code = code_cells(notebook)
+    assert [cell.execution_count for cell in code] == list(range(1, len(code) + 1))
+    outputs = [output for cell in code for output in cell.outputs]
+    assert not [o for o in outputs if o.output_type == "error" or o.get("name") == "stderr"]
+    assert not [o for o in outputs if WIDGET in o.get("data", {})]
+    stored = str(outputs)
+    assert not re.search(r"/(home|root|work|tmp|Users)/|0x[0-9a-f]{8,}|object at|np\.float64", stored)
+    pictures = [output for output in outputs if "image/png" in output.get("data", {})]
+    assert 4 <= len(pictures) <= 9
+    for picture in pictures:
+        assert len(picture.data["image/png"]) * 3 / 4 < 80_000
+        assert len(picture.metadata["image/png"]["alt"]) > 20
+    assert path.stat().st_size < 1_000_000
+
+
+@per_lesson
+def test_lines_of_output_are_not_cut(path):
+    """A line of 78 signs is whole on a slide, in print and in a narrow window; a longer row of a table would break.
+
+    Counted is what is seen as plain text. An exercise's reply is a sentence, which may wrap.
+    """
+    replies = r"\.(check|hint|solution)\(|progress\.table\("
+    outputs = [o for cell in code_cells(load(path)) if not re.search(replies, cell.source) for o in cell.outputs]
+    shown = [o.get("text", "") for o in outputs if o.output_type == "stream"]
+    shown += [o.data["text/plain"] for o in outputs if list(o.get("data", {})) == ["text/plain"]]
+    assert not [line for text in shown for line in text.splitlines() if len(line) > 78]
+
+
+@per_lesson
+def test_equal_cells_have_equal_ids_next_time(path):
+    ids = [cell.id for cell in load(path).cells]
+    assert len(set(ids)) == len(ids)
+
+
+@per_lesson
+def test_links_lead_somewhere(path):
+    links = re.findall(r"\]\(([^)\s]+)\)", "\n".join(texts(load(path))))
+    assert links
+    for link in links:
+        if not urlparse(link).scheme:
+            assert (path.parent / link.partition("#")[0]).exists(), link
+
+
+@per_lesson
+def test_every_slider_works_at_its_ends(path):
+    notebook = load(path)
+    notebook.cells.append(nbformat.v4.new_code_cell(SWEEP))
+    execute(notebook)
+    assert not [o for o in notebook.cells[-1].outputs if o.output_type == "error"]
+
+
+@pytest.mark.parametrize("page", ["README.md", "notebooks/00-start-here.ipynb"])
+def test_the_map_is_complete(page):
+    text = (ROOT / page).read_text(encoding="utf-8")
+    found = re.findall(r"\]\((?:notebooks/)?(\d\d-[\w-]+\.ipynb)\)", text)
+    assert sorted(set(found)) == sorted(path.name for path in LESSONS)
+
+
+def test_each_lesson_leads_to_the_next():
+    for path, following in pairwise(LESSONS):
+        last, first = (re.findall(r"\]\((\d\d-[\w-]+\.ipynb)\)", load(p).cells[-1].source) for p in (path, following))
+        assert following.name in last, f"{path.name} does not lead to {following.name}"
+        assert path.name in first, f"{following.name} does not lead back to {path.name}"
