@@ -6,17 +6,24 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kflearn import (
-    FILTERS,
     Gaussian,
     LinearModel,
     constant_velocity,
     correct,
-    cubature_kalman_filter,
     extended_kalman_filter,
     kalman_filter,
     predict,
     simulate,
     unscented_kalman_filter,
+)
+from tests.filters.test_properties import (
+    LINEAR,
+    SIGMA,
+    every_filter,
+    every_nonlinear_filter,
+    outputs,
+    seeds,
+    states,
 )
 from tests.helpers import (
     as_nonlinear,
@@ -29,22 +36,6 @@ from tests.helpers import (
     textbook,
     with_gaps,
 )
-
-settings.register_profile("course", max_examples=15, deadline=None, derandomize=True, database=None)
-settings.load_profile("course")
-
-SIGMA = [unscented_kalman_filter, cubature_kalman_filter]
-# Those that are the Kalman filter on a linear model and return a Track of one model: a new one is found in the table.
-ONE_MODEL = [row for row in FILTERS if row.exact and not row.several]
-LINEAR = [row.function for row in ONE_MODEL if row.models == "linear"]
-NONLINEAR = [row.function for row in ONE_MODEL if row.models == "both"]
-ALL = [*LINEAR, *NONLINEAR]
-
-seeds = st.integers(0, 2**32 - 1).map(np.random.default_rng)
-states = st.integers(1, 4)
-outputs = st.integers(1, 3)
-every_filter = pytest.mark.parametrize("kf", ALL, ids=lambda f: f.__name__)
-every_nonlinear_filter = pytest.mark.parametrize("kf", NONLINEAR, ids=lambda f: f.__name__)
 
 
 @given(rng=seeds, n=states, m=outputs, p=st.integers(0, 2), gaps=st.booleans(), varying=st.booleans())

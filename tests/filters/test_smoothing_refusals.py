@@ -8,31 +8,15 @@ from kflearn import (
     LinearModel,
     NonlinearModel,
     constant_velocity,
-    cubature_kalman_filter,
     extended_kalman_filter,
     kalman_filter,
-    linearized_kalman_filter,
     rts_smoother,
     two_filter_smoother,
     unscented_kalman_filter,
 )
 from kflearn.core.conditioning import divide_safely
+from tests.filters.test_smoothing import NONLINEAR, rts
 from tests.helpers import as_nonlinear, close, random_belief, random_model, with_gaps
-
-NONLINEAR = [extended_kalman_filter, linearized_kalman_filter, unscented_kalman_filter, cubature_kalman_filter]
-
-
-def rts(model, z, initial, u=None, kf=kalman_filter):
-    return rts_smoother(model, kf(model, z, initial, u))
-
-
-def problem(seed, steps=12):
-    """A model with or without control input, fixed or changing, a series with or without gaps, a start."""
-    rng = np.random.default_rng(seed)
-    n, m, p = rng.integers(1, 5), rng.integers(1, 4), seed % 2
-    model = random_model(rng, n, m, p, steps if seed % 3 == 0 else None)
-    z, u = 2 * rng.normal(size=(steps, m)), rng.normal(size=(steps, p)) if p else None
-    return model, with_gaps(rng, z) if seed % 4 else z, random_belief(rng, n), u
 
 
 def steered(model, us):
