@@ -3,6 +3,7 @@
 
 PYTHON ?= $(firstword $(shell command -v python3 python py) python3)
 VENV := .venv
+WORKERS := 2
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
 MORE := $(VENV)/more
@@ -37,20 +38,20 @@ clear: $(READY)           ## the lessons without outputs, for a class, in build/
 quick: $(MORE)            ## what is tried in less than a minute: style, the house, filters and all they stand on
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/python -m pytest -n 2 -q --dist=worksteal -m "not slow" $(QUICK)
+	$(BIN)/python -m pytest -n $(WORKERS) -q --dist=worksteal -m "not slow" $(QUICK)
 
 test: $(MORE) $(if $(CI),browser)          ## style, types, unit tests, examples, lessons, browser
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m mypy
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n $(WORKERS)
 
 notebooks: $(READY)       ## execute every lesson again, in place
 	$(BIN)/python -m dev.notebooks
 
 site: $(MORE)             ## the course as a web page, in build/site; then all its pages, links and sliders are tried
 	$(BIN)/python -m dev.web.build
-	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n 2 --dist=load tests/dev/test_site.py tests/dev/test_page.py
+	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load tests/dev/test_site.py tests/dev/test_page.py
 
 assignment: $(MORE)       ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
 	$(BIN)/python -m dev.teaching.assignment $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")
