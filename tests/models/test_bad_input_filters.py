@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kflearn import FILTERS as ALL_FILTERS
 from kflearn import (
     Gaussian,
     adaptive_kalman_filter,
@@ -22,7 +23,6 @@ from kflearn import (
     two_filter_smoother,
     unscented_kalman_filter,
 )
-from kflearn.filters.table import FILTERS as ALL_FILTERS
 from tests.models.wrong_calls import (
     I2,
     NAMES,
