@@ -175,7 +175,8 @@ def sentence(outputs):
             if output.ename in ("KeyboardInterrupt", "TimeoutError"):
                 return f"{STOPPED} at the time limit."
             why = re.sub(r"\(\d+\.py, line", "(line", output.evalue)  # IPython's names for cells say nothing
-            return f"{STOPPED} with {output.ename}: {why}".rstrip(": ")
+            name = output.ename.replace("_IncompleteInputError", "SyntaxError")  # Python 3.14's own kind of it
+            return f"{STOPPED} with {name}: {why}".rstrip(": ")
     return " ".join(output.text.strip() for output in outputs if output.output_type == "stream")
 
 

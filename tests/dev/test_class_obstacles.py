@@ -187,6 +187,9 @@ def test_addresses_for_ssh_are_left_alone():
 def test_a_folder_of_this_machine(monkeypatch, place):
     folder = repository(place / "web") / "course.git"
     said = obstacles.cannot_copy(str(folder))
+    if not obstacles.ask_as_nobody(str(folder)):
+        assert said == ""
+        pytest.skip("this git lets every account copy the folder")
     assert said.endswith(f"Allow it once: `git config --system --add safe.directory {folder}`.")
     (settings := place / "gitconfig").write_text(f"[safe]\n\tdirectory = {folder}\n")
     settings.chmod(0o644)
