@@ -47,10 +47,11 @@ from .filters.kalman import (
 )
 from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
-from .filters.smoothing import rts_smoother, two_filter_smoother
+from .filters.smoothing import rts_smoother
 from .filters.square_root import square_root_kalman_filter
 from .filters.steps import correct, kalman_step, predict, start_from
 from .filters.table import Row, settings
+from .filters.two_filter import two_filter_smoother
 from .models.gaussian import Gaussian
 from .models.kinematics import cart, constant_acceleration, constant_velocity, random_walk, singer
 from .models.simulation import simulate

@@ -31,17 +31,38 @@ def decouple_missing(R, missing):
 
 
 def divide(C, S):
-    """C S⁻¹ for C (..., n, m) and S (..., m, m), by solving; by Cramer's rule for m = 1 and 2, which is far faster."""
+    """C S⁻¹ for C (..., n, m) and a covariance S (..., m, m), by elimination; written out for many S with m = 2.
+
+    A covariance needs no pivots: elimination in any order is stable. A singular S gives NaN or infinity.
+    """
     if S.shape[-1] == 1:
         return C / S
+    if S.shape[-1] == 2 and S.ndim > 2:
+        share, rest = _eliminated(S)
+        second = (C[..., 1] - share[..., None] * C[..., 0]) / rest[..., None]
+        first = (C[..., 0] - S[..., 1, 0, None] * second) / S[..., 0, 0, None]
+        return np.stack([first, second], axis=-1)
+    try:
+        return np.linalg.solve(S.mT, C.mT).mT
+    except np.linalg.LinAlgError:
+        return np.full(np.broadcast_shapes(C.shape[:-2], S.shape[:-2]) + C.shape[-2:], np.nan)
+
+
+def _eliminated(S):
+    """Of covariances (..., 2, 2): what the first component tells of the second, and the variance that is left of it."""
+    share = S[..., 0, 1] / S[..., 0, 0]
+    return share, S[..., 1, 1] - share * S[..., 1, 0]
+
+
+def definite(S):
+    """Which of the symmetric matrices (..., m, m) are positive definite; NaN is not."""
+    if S.shape[-1] == 1:
+        return S[..., 0, 0] > 0
     if S.shape[-1] == 2:
-        adjugate = S[..., ::-1, ::-1].mT * _SIGNS
-        determinant = S[..., 0, 0] * S[..., 1, 1] - S[..., 0, 1] * S[..., 1, 0]
-        return C @ adjugate / determinant[..., None, None]
-    return np.linalg.solve(S.mT, C.mT).mT
-
-
-_SIGNS = np.array([[1.0, -1.0], [-1.0, 1.0]])
+        return (S[..., 0, 0] > 0) & (_eliminated(S)[1] > 0)
+    finite = np.isfinite(S).all(axis=(-2, -1))
+    correlation, _ = correlations(np.where(finite[..., None, None], S, 0))
+    return finite & (np.linalg.eigvalsh(correlation)[..., 0] > 0)
 
 
 def divide_safely(cross, P):
@@ -57,7 +78,7 @@ def log_determinant(S):
     if S.shape[-1] == 1:
         return np.log(S[..., 0, 0])
     if S.shape[-1] == 2:
-        return np.log(S[..., 0, 0] * S[..., 1, 1] - S[..., 0, 1] * S[..., 1, 0])
+        return np.log(S[..., 0, 0]) + np.log(_eliminated(S)[1])
     return np.linalg.slogdet(S)[1]
 
 

@@ -1,39 +1,56 @@
 """Filters whose gains do not depend on the data: first all gains, once, then the means of every run."""
 
+from typing import NamedTuple
+
 import numpy as np
 
-from ..core.conditioning import covariance_after, divide, without_missing
+from ..core.conditioning import covariance_after, decouple_missing, definite, divide, without_missing
 from ..core.matrices import congruence, step_matrix
-from ..core.recursion import extend_last, linear_recursion, matvec_each_step
+from ..core.recursion import linear_recursion, matvec_each_step
+from ..core.walk import Walk, same_covariance, walk
 from ..models.arguments import check_series
 from ..models.gaussian import unchecked_gaussian
 from ..models.state_space import LinearModel, stacks
 from ..results.track import LinearSteps, Track
 from .moments import linearize
+from .steps import refuse_innovation
 
 
-def linear_filter(model, z, initial, u, step, carry=lambda P: P, through=linearize) -> Track:
+class Step(NamedTuple):
+    """One step of a linear filter: predicted P, S, K, corrected P; roots of S and of P where the filter has them."""
+
+    predicted: np.ndarray
+    S: np.ndarray
+    gain: np.ndarray
+    cov: np.ndarray
+    S_root: np.ndarray | None = None
+    root: np.ndarray | None = None
+
+
+def linear_filter(model, z, initial, u, step, carry=lambda P: P, same=same_covariance, through=linearize) -> Track:
     """Compute all gains with `step` (they do not depend on z), then the means of all runs.
 
-    step(carried, F, H, Q, R, missing) → carried, (predicted P, S, K, corrected P) sets the variants apart; `missing`
-    is None where everything is measured. What is carried from step to step begins as carry(initial.cov).
+    step(carried, F, H, Q, R, missing) → carried, Step sets the variants apart; `missing` is None where everything is
+    measured. What is carried from step to step begins as carry(initial.cov), and `same` tells when it is at rest.
     """
     if not isinstance(model, LinearModel):
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
     z, u, _ = check_series(model, z, initial, u)
-    missing = np.isnan(z)
-    predicted_cov, S, gain, cov = _gains(model, initial.cov, missing, step, carry)
-    keep = np.eye(model.n) - gain @ model.H
-    drive = matvec_each_step(gain, np.where(missing, 0, z) if missing.any() else z)
+    T, missing = z.shape[-2], np.isnan(z)
+    plan = _plan(model, initial.cov, missing, step, carry, same)
+    gain, index = plan.parts.gain, plan.index
+    drive = matvec_each_step(gain, np.where(missing, 0, z) if missing.any() else z, index)
+    whole = model.F.ndim == 2 and model.H.ndim == 2  # else the matrices of each step go with its gain
+    of_each, index = (gain, index) if whole else (plan.each(gain, T), None)
+    keep = np.eye(model.n) - of_each @ model.H
     if u is not None:
-        drive = drive + matvec_each_step(keep @ model.B, u)
-    mean = linear_recursion(keep @ model.F, drive, initial.mean)
-    T = z.shape[-2]
+        drive = drive + matvec_each_step(keep, matvec_each_step(model.B, u), index)
+    mean = linear_recursion(keep @ model.F, drive, initial.mean, index)
     return Track(
-        unchecked_gaussian(mean, extend_last(cov, T)),
-        extend_last(gain, T),
+        unchecked_gaussian(mean, plan.each(plan.parts.cov, T)),
+        plan.each(gain, T),
         model,
-        LinearSteps(model, z, u, initial.mean, predicted_cov, S),
+        LinearSteps(model, z, u, initial.mean, plan),
         u,
         through,
     )
@@ -47,41 +64,91 @@ def covariance_step(P, F, H, Q, R, missing, choose=divide):
     used, cross = (S, cross) if missing is None else without_missing(missing, S, cross)
     gain = choose(cross, used)
     P = covariance_after(gain, predicted, H, R)
-    return P, (predicted, S, gain, P)
+    return P, Step(predicted, S, gain, P)
 
 
-def common_gaps(missing):
-    """The gaps (..., T, m) without their batch axes where they are the same in every run; None where there are none."""
-    if not missing.any():
+def _plan(model, P, missing, step, carry, same) -> Walk:
+    """All covariances and gains, whose parts are a Step; each distinct one is computed once, where that is possible."""
+    given = {name: M for name, M in stacks(model).items() if name != "B"}
+    shared = P.ndim == 2 and all(M.ndim == 3 for M in given.values())
+    with np.errstate(all="ignore"):  # what goes wrong is found below, and said with its step
+        plan = _distinct_steps(model, P, missing, step, carry, same) if shared else None
+        plan = plan or _every_step(model, P, missing, step, carry)
+    _refuse_lost(plan, missing)
+    return plan
+
+
+def _distinct_steps(model, P, missing, step, carry, same):
+    """The plan where runs differ in nothing but their gaps; None where each step has matrices of its own."""
+    kinds, first = _kinds(model, missing.shape[-2])
+    if len(first) == missing.shape[-2] > 1:
         return None
-    first = missing.reshape(-1, *missing.shape[-2:])[0]
-    return first if (missing == first).all() else missing
+    masks, gaps = gap_kinds(missing)
+    matrices = [M if M.ndim == 2 else M[first if len(M) > 1 else [0] * len(first)] for M in _matrices(model)]
+
+    def take(carried, symbol):
+        kind, gap = symbol // len(masks), symbol % len(masks)
+        own = (M if M.ndim == 2 else M[kind] for M in matrices)
+        return step(carried, *own, masks[gap] if masks[gap].any() else None)
+
+    plan = walk(kinds * len(masks) + gaps, carry(P), take, same)
+    return Walk(Step(*plan.parts), plan.index)
 
 
-def _gains(model, P, missing, step, carry):
-    """Covariances and gains: predicted P, S, K, corrected P, each (..., steps, ·, ·), for all T steps or, when nothing
-    changes any more after fewer, for these."""
+def _every_step(model, P, missing, step, carry):
+    """The plan from a plain loop over all steps."""
     T = missing.shape[-2]
-    missing = common_gaps(missing)
-    gaps = missing is not None
-    series = stacks(model).values()
-    batch = np.broadcast_shapes(P.shape[:-2], missing.shape[:-2] if gaps else (), *(M.shape[:-3] for M in series))
-    constant = not gaps and all(M.shape[-3] == 1 for M in series)
-    P = np.broadcast_to(P, (*batch, *P.shape[-2:]))
-    carried, steps = carry(P), []
+    missing = missing if missing.any() else None
+    lead = () if missing is None else missing.shape[:-2]
+    batch = np.broadcast_shapes(P.shape[:-2], lead, *(M.shape[:-3] for M in _matrices(model)))
+    carried, steps = carry(np.broadcast_to(P, (*batch, *P.shape[-2:]))), []
     for k in range(T):
-        before = P
-        F, H, Q, R = (step_matrix(M, k) for M in (model.F, model.H, model.Q, model.R))
-        carried, parts = step(carried, F, H, Q, R, missing[..., k, :] if gaps else None)
-        P = parts[-1]
+        own = (step_matrix(M, k) for M in _matrices(model))
+        carried, parts = step(carried, *own, None if missing is None else missing[..., k, :])
         steps.append(parts)
-        if constant and k % 8 == 7 and _unchanged(P, before):
-            break
-    return [np.stack(part, axis=-3) for part in zip(*steps, strict=True)]
+    return Walk(Step(*(None if part[0] is None else np.stack(part, axis=-3) for part in zip(*steps, strict=True))))
 
 
-def _unchanged(P, before):
-    """Has a covariance come to rest? Judged against its own variances, a few roundings wide."""
-    variance = np.diagonal(P, axis1=-2, axis2=-1)
-    scale = np.sqrt(abs(variance[..., :, None] * variance[..., None, :]))
-    return (abs(P - before) <= 1e-14 * scale).all()
+def _matrices(model):
+    return model.F, model.H, model.Q, model.R
+
+
+def _kinds(model, T):
+    """Which of the distinct sets of matrices each step has, (T,), and the first step that has each of them."""
+    long = [M.reshape(T, -1) for M in _matrices(model) if M.ndim > 2 and len(M) == T > 1]
+    if not long:
+        return np.zeros(T, int), [0]
+    rows = [row.tobytes() for row in np.concatenate(long, axis=1)]
+    number = {row: i for i, row in enumerate(dict.fromkeys(rows))}
+    kinds = np.array([number[row] for row in rows])
+    return kinds, np.unique(kinds, return_index=True)[1]
+
+
+def gap_kinds(missing):
+    """The distinct patterns of gaps (kinds, m), and which of them each step has: (..., T), or (T,) if all runs agree.
+
+    missing: (..., T, m).
+    """
+    *batch, T, m = missing.shape
+    flat = missing.reshape(-1, T, m)
+    if (flat == flat[:1]).all():
+        flat, batch = flat[:1], ()
+    kinds = np.zeros(len(flat) * T, int)
+    for column in flat.reshape(-1, m).T:
+        if column.any():
+            kinds = np.unique(2 * kinds + column, return_inverse=True)[1]
+    first = np.unique(kinds, return_index=True)[1]
+    return flat.reshape(-1, m)[first], kinds.reshape(*batch, T)
+
+
+def _refuse_lost(plan, missing):
+    """Refuse a plan in which too many digits were lost: S is no covariance any more, or something is NaN."""
+    steps, T = plan.parts, missing.shape[-2]
+    finite = np.isfinite(steps.gain).all(axis=(-2, -1)) & np.isfinite(steps.cov).all(axis=(-2, -1))
+    good = finite & (definite(steps.S) if steps.S_root is None else True)
+    if good.all():
+        return
+    S = decouple_missing(plan.each(steps.S, T), missing)
+    good = plan.each(finite[..., None, None], T)[..., 0, 0] & (definite(S) if steps.S_root is None else True)
+    if not good.all():
+        refuse_innovation(int(np.argmin(good.reshape(-1, T).all(axis=0))))

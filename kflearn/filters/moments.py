@@ -63,15 +63,15 @@ def linearize(belief, function, slope, difference=np.subtract) -> Moments:
 
 
 class SigmaPoints(NamedTuple):
-    """A rule: 2n+1 points, the mean and ± `spread` columns of the covariance's root, and their weights.
+    """A rule: 2n+1 points, the mean and ± `spread` columns of the covariance's root, and how they are weighed.
 
-    cov_centre: the weight of the middle point in the covariance; others: that of each other point, in mean and
-    covariance.
+    weight: that of each point but the one in the middle. extra: how often the square of the mean's shift counts in the
+    covariance; −1 for "mean of squares less square of mean", β − α² in the scaled unscented rule.
     """
 
     spread: float
-    cov_centre: float
-    others: float
+    weight: float
+    extra: float
 
     def __call__(self, belief, function, slope=None, difference=np.subtract) -> Moments:
         """Push the points through `function` and take their weighted moments; `slope` is not needed.
@@ -85,12 +85,27 @@ class SigmaPoints(NamedTuple):
         # All relative to the image of the mean: weights of ±1e4 then cost fewer digits, and angles may wrap.
         offset = difference(out[1:], out[0])
         ahead, behind = offset[:n], offset[n:]
-        shift = self.others * offset.sum(axis=0)
         # The odd part of the function over a pair of ±points is its slope; the even part is curvature.
         slope = np.moveaxis(ahead - behind, 0, -1) / (2 * self.spread)
-        bend = np.moveaxis((ahead + behind) / 2 - shift, 0, -1)
-        rest = 2 * self.others * bend @ bend.mT + self.cov_centre * shift[..., :, None] * shift[..., None, :]
+        bend = np.moveaxis((ahead + behind) / 2, 0, -1)
+        shift = 2 * self.weight * bend.sum(axis=-1)
+        rest = self._curvature(bend, shift)
         return Moments(out[0] + shift, slope @ slope.mT + rest, L @ slope.mT, slope, L, rest)
+
+    def _curvature(self, bend, shift):
+        """2 w Σ b bᵀ + extra s sᵀ for the columns b of `bend`, as a sum of squares wherever it is one.
+
+        Written so, no rounding makes a variance negative: for extra < 0, b − c s with the right c takes the place of b.
+        """
+        most = 1 / (2 * self.weight * bend.shape[-1])  # no b − c s takes away more than this share of s sᵀ
+        c = most * (1 - np.sqrt(max(1 + self.extra / most, 0))) if self.extra < 0 else 0.0
+        bend = bend - c * shift[..., :, None]
+        left = self.extra if self.extra >= 0 else min(self.extra + most, 0)
+        return 2 * self.weight * bend @ bend.mT + left * shift[..., :, None] * shift[..., None, :]
+
+    def may_be_negative(self, n):
+        """Can these weights make a covariance that is none?"""
+        return 1 + 2 * self.weight * n * self.extra < 0
 
 
 def unscented(n, alpha=1.0, beta=2.0, kappa=0.0) -> SigmaPoints:
@@ -129,8 +144,7 @@ def unscented(n, alpha=1.0, beta=2.0, kappa=0.0) -> SigmaPoints:
     if not n + check.number("kappa", kappa) > 0:
         raise ValueError(f"kappa must be greater than -{n}, or else the points do not spread, got {kappa}")
     scale = alpha**2 * (n + kappa)
-    centre = 1 - n / scale
-    return SigmaPoints(np.sqrt(scale), centre + 1 - alpha**2 + beta, 1 / (2 * scale))
+    return SigmaPoints(np.sqrt(scale), 1 / (2 * scale), beta - alpha**2)
 
 
 def cubature(n) -> SigmaPoints:
@@ -162,7 +176,7 @@ def cubature(n) -> SigmaPoints:
     >>> print(f"mean {square.mean[0]:.0f}, variance {square.cov[0, 0]:.0f}")
     mean 11, variance 72
     """
-    return SigmaPoints(np.sqrt(check.whole_number("n", n)), 0.0, 1 / (2 * n))
+    return SigmaPoints(np.sqrt(check.whole_number("n", n)), 1 / (2 * n), -1.0)
 
 
 @dataclass(frozen=True, eq=False)

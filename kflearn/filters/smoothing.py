@@ -1,17 +1,16 @@
-"""Smoothers: the belief about a moment given all measurements, those before it and those after it."""
+"""The Rauch–Tung–Striebel smoother: the belief about a moment given all measurements, before and after it."""
 
 import numpy as np
 
-from ..core.conditioning import covariance_after, decouple_missing, divide, divide_safely
-from ..core.matrices import compact, congruence, root, step_matrix, symmetric
+from ..core.matrices import compact, congruence, root, symmetric
 from ..core.recursion import linear_recursion, matvec_each_step
-from ..models.arguments import check_model, check_series, check_stacks
+from ..core.walk import same_covariance, walk
+from ..models.arguments import check_model, check_stacks
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
-from ..results.track import Filtered, Track, read_only
-from .kalman import kalman_filter
-from .linear import common_gaps
+from ..results.track import Filtered, LinearSteps, Track, read_only
 from .moments import Moments
+from .square_root import triangular
 
 
 def rts_smoother(model, track) -> Gaussian:
@@ -37,7 +36,8 @@ def rts_smoother(model, track) -> Gaussian:
 
     References
     ----------
-    Rauch, Tung and Striebel 1965; for sigma points Särkkä 2008.
+    Rauch, Tung and Striebel 1965; on roots, so that P⁻ is never inverted: Park and Kailath 1995; for sigma points
+    Särkkä 2008.
 
     Examples
     --------
@@ -50,108 +50,100 @@ def rts_smoother(model, track) -> Gaussian:
     _check_track(model, track)
     if track.mean.shape[-2] == 1:
         return track.filtered
-    now, moved = _onward(model, track)
+    gain, left, index = _shared(model, track) or _of_each_step(model, track)
+    P = _smoothed_covariances(gain, left, index, track.mean.shape[-2])
+    return read_only(unchecked_gaussian(track.mean + _shifts(track, gain, index), symmetric(P)))
+
+
+def _shared(model, track):
+    """Gains and what is left, once for each distinct step of the filter; None where steps or runs have their own."""
+    later = track._later
+    if model is not track.model or not isinstance(later, LinearSteps) or later.model is not model:
+        return None
+    steps = later.plan.parts
+    if model.F.ndim > 2 or model.Q.ndim > 2 or steps.cov.ndim > 3:
+        return None
+    L = root(steps.cov) if steps.root is None else steps.root
+    gain, left = backward_gain(model.F @ L, L, root(model.Q))
+    T, count = track.mean.shape[-2], len(left)
+    index = later.plan.rows(T)
+    # At the last step nothing is known of a later one: rows without gain, at which all of the covariance is left.
+    last = index[..., -1:] + count
+    none = np.zeros_like(gain)
+    return np.concatenate([gain, none]), np.concatenate([left, steps.cov]), np.concatenate([index[..., :-1], last], -1)
+
+
+def _of_each_step(model, track):
+    """Gains and what is left, for each step of each run."""
+    moved = _onward(model, track)
     P_next, Q = compact(track.predicted.cov, 3)[..., 1:, :, :], _from_second(model.Q)
     _check_same(model, track, moved, Q, P_next)
-    gain = divide_safely(moved.cross, P_next)
-    # Joseph form: the covariance of x_k given x_{k+1}; the smoothed covariance of x_{k+1} is added in the loop.
-    left = covariance_after(gain, now.cov, moved.slope, Q + moved.rest, moved.basis)
-    filtered_cov = compact(track.cov, 3)
-    P = np.broadcast_to(filtered_cov, (*left.shape[:-3], *filtered_cov.shape[-3:])).copy()
-    for k in range(P.shape[-3] - 2, -1, -1):
-        P[..., k, :, :] = left[..., k, :, :] + congruence(gain[..., k, :, :], P[..., k + 1, :, :])[0]
-    return read_only(unchecked_gaussian(_smoothed_means(track, gain), symmetric(P)))
+    L = _roots(track) if moved.basis is None else moved.basis
+    slope = moved.slope @ L if moved.basis is None else moved.slope
+    gain, left = backward_gain(slope, L, root(Q + moved.rest))
+    last = compact(track.cov, 3)[..., -1:, :, :]
+    left = np.concatenate([left, np.broadcast_to(last, (*left.shape[:-3], *last.shape[-3:]))], axis=-3)
+    return np.concatenate([gain, np.zeros_like(gain[..., :1, :, :])], axis=-3), left, None
 
 
-def _smoothed_means(track, gain):
-    """x_k = G_k x_{k+1} + (x̂_k − G_k x⁻_{k+1}), backwards from the last, where G = 0."""
-    drive = track.mean.copy(order="K")
-    drive[..., :-1, :] -= matvec_each_step(gain, track.predicted.mean[..., 1:, :])
-    gain = np.concatenate([gain, np.zeros_like(gain[..., :1, :, :])], axis=-3)[..., ::-1, :, :]
-    return linear_recursion(gain, drive[..., ::-1, :], np.zeros(track.mean.shape[-1]))[..., ::-1, :]
+def _roots(track):
+    """Roots of all covariances but the last."""
+    if isinstance(track._later, LinearSteps) and track._later.plan.parts.root is not None:
+        plan = track._later.plan
+        return plan.each(plan.parts.root, track.mean.shape[-2])[..., :-1, :, :]
+    return root(compact(track.cov, 3)[..., :-1, :, :])
 
 
-def two_filter_smoother(model, z, initial, u=None) -> Gaussian:
-    """The smoothed beliefs from two filters, one running forwards and one backwards, fused at every step.
+def backward_gain(slope, L, noise):
+    """What the next state tells of this one: the gain G (..., n, n), and the covariance that is left once it is known.
 
-    The backward filter knows nothing at the end of the series and so carries information, Y = P⁻¹ and y = P⁻¹x. At step
-    k the forward filter has used z_k and the backward one has not: each measurement counts once.
-
-    Parameters
-    ----------
-    model, z, initial, u
-        As in kalman_filter.
-
-    Returns
-    -------
-    Gaussian
-        Like that of rts_smoother, equal to it but for rounding.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in kalman_filter, and where one filter knows so much more than the other that they cannot be fused.
-
-    References
-    ----------
-    Fraser and Potter 1969.
-
-    Examples
-    --------
-    >>> from kflearn import Gaussian, random_walk, two_filter_smoother
-    >>> smooth = two_filter_smoother(random_walk(1, 1), [1.0, 2.0, 3.0], Gaussian(0, 1))
-    >>> print(f"first step: {smooth.mean[0, 0]:.3f} ± {smooth.std[0, 0]:.3f}")
-    first step: 1.143 ± 0.690
+    [[F L, Q½], [L, 0]] has the same square as the triangular [[P⁻½, 0], [G P⁻½, C]], and C Cᵀ is what is left: nothing
+    is inverted but a root of P⁻. slope is F L, for a belief with the root L; noise is Q½.
     """
-    forward = kalman_filter(model, z, initial, u)
-    z, u, _ = check_series(model, z, initial, u)
-    try:
-        with np.errstate(all="ignore"):
-            mean, P = _fused(model, forward, z, u)
-    except np.linalg.LinAlgError:
-        mean = P = np.array(np.nan)
-    if not (np.isfinite(mean).all() and np.isfinite(P).all()):
-        raise ValueError("Q must be smaller beside R: the two filters are 1e16 times apart and cannot be fused")
-    return read_only(unchecked_gaussian(mean, P))
+    n = L.shape[-1]
+    array = np.zeros((*np.broadcast_shapes(slope.shape[:-2], L.shape[:-2], noise.shape[:-2]), 2 * n, 2 * n))
+    array[..., :n, :n], array[..., :n, n:], array[..., n:, :n] = slope, noise, L
+    array = triangular(array)
+    C = array[..., n:, n:]
+    return _divide_by_root(array[..., n:, :n], array[..., :n, :n]), C @ C.mT
 
 
-def _fused(model, forward, z, u):
-    """Means and covariances given what the forward filter and the measurements ahead say."""
-    Y, y = _information_ahead(model, z, u)
-    # P₊ = (P⁻¹ + Y)⁻¹ = L (I + LᵀYL)⁻¹ Lᵀ with P = L Lᵀ, so that neither P nor Y need have an inverse.
-    L = root(compact(forward.cov, 3))
-    P = L @ np.linalg.solve(np.eye(model.n) + L.mT @ Y @ L, L.mT)
-    return forward.mean + matvec_each_step(P, y - matvec_each_step(Y, forward.mean)), symmetric(P)
+def _divide_by_root(B, A):
+    """B A⁻¹ for triangular A (..., n, n), which may be singular, as when Q = 0 and something is known exactly."""
+    size = np.sqrt(np.sum(A * A, axis=-1))
+    size = np.where(size > 0, size, 1)
+    unit = A / size[..., :, None]
+    thin = abs(np.diagonal(unit, axis1=-2, axis2=-1)).min(axis=-1) < 1e-10
+    found = np.linalg.solve(np.where(thin[..., None, None], np.eye(A.shape[-1]), unit).mT, B.mT).mT
+    if thin.any():
+        found[thin] = B[thin] @ np.linalg.pinv(unit[thin], rcond=1e-13)
+    return found / size[..., None, :]
 
 
-def _information_ahead(model, z, u):
-    """What the measurements after each step say about its state: Y (..., T, n, n) and y (..., T, n), 0 at the last."""
-    n, missing = model.n, np.isnan(z)
-    gaps = common_gaps(missing)
-    H, R = (model.H, model.R) if gaps is None else (model.H * ~gaps[..., :, None], decouple_missing(model.R, gaps))
-    weights = np.linalg.solve(R, H).mT  # HᵀR⁻¹
-    learnt = weights @ H
-    ahead, Y, steps = np.zeros((n, n)), [], []
-    for k in range(z.shape[-2] - 1, -1, -1):
-        F, G = step_matrix(model.F, k), root(step_matrix(model.Q, k))
-        with_z = ahead + step_matrix(learnt, k)
-        # Backwards through x' = F x + G w: a correction again, with Gᵀ in the place of H and I in the place of R.
-        gain = divide(with_z @ G, congruence(G.mT, with_z)[0] + np.eye(n))
-        Y.append(ahead)
-        steps.append((with_z, F.mT @ (np.eye(n) - gain @ G.mT)))
-        ahead = symmetric(congruence(F.mT, covariance_after(gain, with_z, G.mT, np.eye(n)))[0])
-    with_z, back = (_stacked(matrices) for matrices in zip(*steps, strict=True))
-    told = matvec_each_step(weights, np.where(missing, 0, z))[..., ::-1, :]
-    if u is not None:
-        told = told - matvec_each_step(with_z, matvec_each_step(model.B, u)[..., ::-1, :])
-    y = linear_recursion(back, matvec_each_step(back, told), np.zeros(n))[..., -2::-1, :]
-    last = np.zeros((*y.shape[:-2], 1, n))
-    return _stacked(Y)[..., ::-1, :, :], np.concatenate([y, last], axis=-2)
+def _smoothed_covariances(gain, left, index, T):
+    """P_k = what is left + G_k P_{k+1} G_kᵀ, backwards: (..., T, n, n)."""
+    if index is None:
+        P = left.copy()
+        for k in range(T - 2, -1, -1):
+            P[..., k, :, :] += congruence(gain[..., k, :, :], P[..., k + 1, :, :])[0]
+        return P
+
+    def step(P, row):
+        P = left[row] + congruence(gain[row], P)[0]
+        return P, (P,)
+
+    plan = walk(index[..., ::-1], np.zeros_like(left[0]), step, same_covariance)
+    return plan.each(plan.parts[0], T)[..., ::-1, :, :]
 
 
-def _stacked(matrices):
-    """Matrices of single steps along time."""
-    return np.stack(np.broadcast_arrays(*matrices), axis=-3)
+def _shifts(track, gain, index):
+    """By how much means change: d_k = G_k (d_{k+1} + x̂_{k+1} − x⁻_{k+1}), backwards, with G = 0 at the last step."""
+    learnt = track.mean - track.predicted.mean
+    ahead = np.concatenate([learnt[..., 1:, :], np.zeros_like(learnt[..., :1, :])], axis=-2)
+    drive = matvec_each_step(gain, ahead, index)[..., ::-1, :]
+    back = None if index is None else index[..., ::-1]
+    gain = gain[..., ::-1, :, :] if index is None else gain
+    return linear_recursion(gain, drive, np.zeros(track.mean.shape[-1]), back)[..., ::-1, :]
 
 
 def _check_track(model, track):
@@ -172,14 +164,14 @@ def _check_track(model, track):
 
 
 def _onward(model, track):
-    """Each belief but the last, and how it moves on before Q is added: Moments (..., T−1, ·)."""
+    """How each belief but the last moves on before Q is added: Moments (..., T−1, ·)."""
     now = unchecked_gaussian(track.mean[..., :-1, :], compact(track.cov, 3)[..., :-1, :, :])
     if isinstance(model, LinearModel):
         F = _from_second(model.F)
-        return now, Moments(None, *congruence(F, now.cov), F)
+        return Moments(None, *congruence(F, now.cov), F)
     u = None if track.u is None else track.u[..., 1:, :]
     try:
-        return now, track.through(now, lambda x: model.move(x, u), lambda x: model.move_slope(x, u))
+        return track.through(now, lambda x: model.move(x, u), lambda x: model.move_slope(x, u))
     except (ValueError, TypeError, IndexError) as error:
         reason = str(error).split(". ")[0]
         raise ValueError(f"f {_ONE_BY_ONE}, got an error from all steps at once: {reason}") from error
@@ -189,11 +181,14 @@ _ONE_BY_ONE = "must treat every state alone, whatever axes stand before the last
 
 
 def _check_same(model, track, moved, Q, P_next):
-    """The model has to predict what the filter predicted."""
-    same = np.allclose(moved.cov + Q, P_next, rtol=1e-6, atol=1e-6 * np.max(abs(P_next), initial=0))
+    """The model has to predict what the filter predicted: judged at each step, in units of its standard deviations."""
+    std = np.sqrt(np.diagonal(P_next, axis1=-2, axis2=-1))
+    largest = np.max(abs(P_next), axis=(-2, -1), keepdims=True)
+    allowed = 1e-6 * std[..., :, None] * std[..., None, :] + 1e-12 * largest
+    same = (abs(moved.cov + Q - P_next) <= allowed).all()
     if same and moved.mean is not None:
         mean = track.predicted.mean[..., 1:, :]
-        same = np.allclose(moved.mean, mean, rtol=1e-6, atol=1e-6 * np.max(abs(mean), initial=0))
+        same = (abs(moved.mean - mean) <= 1e-6 * std + 1e-9 * np.max(abs(mean), axis=-2, keepdims=True)).all()
     if same:
         return
     if model is track.model:

@@ -4,8 +4,9 @@ import numpy as np
 
 from ..core.conditioning import decouple_missing
 from ..core.matrices import root
+from ..core.walk import same_root
 from ..results.track import Track
-from .linear import linear_filter
+from .linear import Step, linear_filter
 
 
 def square_root_kalman_filter(model, z, initial, u=None) -> Track:
@@ -39,29 +40,45 @@ def square_root_kalman_filter(model, z, initial, u=None) -> Track:
     >>> print(f"{track.mean[-1, 0]:.3f} ± {track.std[-1, 0]:.3f}")
     2.000 ± 0.577
     """
-    return linear_filter(model, z, initial, u, square_root_step, root)
+    return linear_filter(model, z, initial, u, square_root_step, root, same_root)
 
 
 def square_root_step(L, F, H, Q, R, missing=None):
-    """One step of the roots: L (..., n, n) with L Lᵀ = P before, the same after it, and (predicted P, S, K, P).
+    """One step of the roots: L (..., n, n) with L Lᵀ = P before, the same after it, and the Step.
 
     Keeps the precision of its arguments: float32 stays float32.
     """
     moved = F @ L
     L = triangular(np.concatenate([moved, np.broadcast_to(root(Q), moved.shape)], axis=-1))
-    predicted, S = L @ L.mT, (H @ L) @ (H @ L).mT + R
+    predicted, full = L @ L.mT, None
     if missing is not None:
+        full = (H @ L) @ (H @ L).mT + R
         H, R = H * ~missing[..., :, None], decouple_missing(R, missing)
+    S_root, cross, L = corrected_root(L, H, root(R))
+    S = S_root @ S_root.mT if full is None else full
+    return L, Step(predicted, S, divide_root(cross, S_root), L @ L.mT, S_root, L)
+
+
+def corrected_root(L, H, noise):
+    """A correction on roots: S½ (..., m, m), K S½ (..., n, m) and L⁺, from L with L Lᵀ = P⁻, H and R½."""
     m, n = H.shape[-2:]
-    # [[R½, H L], [0, L]] has the same square as [[S½, 0], [K S½, L⁺]].
-    array = np.zeros((*L.shape[:-2], m + n, m + n), L.dtype)
-    array[..., :m, :m], array[..., :m, m:], array[..., m:, m:] = root(R), H @ L, L
+    # [[H L, R½], [L, 0]] has the same square as [[S½, 0], [K S½, L⁺]]. In this order no digit of L⁺ is lost where R is
+    # far below H P Hᵀ; with R½ in front L⁺ would be a small difference of large numbers.
+    array = np.zeros((*np.broadcast_shapes(L.shape[:-2], H.shape[:-2], noise.shape[:-2]), m + n, m + n), L.dtype)
+    array[..., :m, :n], array[..., :m, n:], array[..., m:, :n] = H @ L, noise, L
     array = triangular(array)
-    gain = np.linalg.solve(array[..., :m, :m].mT, array[..., m:, :m].mT).mT
-    L = array[..., m:, m:]
-    return L, (predicted, S, gain, L @ L.mT)
+    return array[..., :m, :m], array[..., m:, :m], array[..., m:, m:]
+
+
+def divide_root(C, A):
+    """C A⁻¹ for a triangular A (..., m, m); NaN where A is singular."""
+    try:
+        return np.linalg.solve(A.mT, C.mT).mT
+    except np.linalg.LinAlgError:
+        return np.full_like(C, np.nan)
 
 
 def triangular(A):
-    """The lower triangular L (..., n, n) with L Lᵀ = A Aᵀ, for A (..., n, any)."""
-    return np.linalg.qr(A.mT, mode="r").mT
+    """The lower triangular L (..., n, n) with L Lᵀ = A Aᵀ for A (..., n, any); its diagonal is not negative."""
+    L = np.linalg.qr(A.mT, mode="r").mT
+    return np.where(np.diagonal(L, axis1=-2, axis2=-1)[..., None, :] < 0, -L, L)

@@ -8,7 +8,7 @@ from math import isfinite
 
 import numpy as np
 
-from ..core.conditioning import covariance_after, divide, without_missing
+from ..core.conditioning import covariance_after, definite, divide, without_missing
 from ..core.matrices import compact, matvec, step_matrix, symmetric
 from ..models import checks as check
 from ..models.arguments import check_belief, check_control, check_measure, check_model, check_move, check_step
@@ -240,9 +240,20 @@ def condition(predicted, expected, innovation, R, k):
         _check_finite("h", expected.mean, predicted, k)
         S, cross = without_missing(missing, S, cross)
         y = np.where(missing, 0, y)
+    if not definite(S).all():
+        refuse_innovation(k)
     gain = divide(cross, S)
     P = covariance_after(gain, predicted.cov, expected.slope, R + expected.rest, expected.basis)
     return unchecked_gaussian(predicted.mean + matvec(gain, y), P), gain, unchecked_gaussian(innovation, full)
+
+
+def refuse_innovation(k):
+    """Say that S of step k is no covariance, and what to do."""
+    raise ValueError(
+        f"R must be larger beside P: at step {k} S = H P⁻ Hᵀ + R is singular or negative in rounded numbers. If P is "
+        "huge, start with a smaller one or use square_root_kalman_filter; if two components measure nearly the same, "
+        "leave one out; sigma points need kappa of at least 0, or beta = 2"
+    )
 
 
 def _check_finite(name, values, belief, k):

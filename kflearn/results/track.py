@@ -10,7 +10,8 @@ import numpy as np
 from ..core.conditioning import decouple_missing, log_determinant, squared_distance
 from ..core.frozen import Frozen
 from ..core.matrices import compact, symmetric, with_batch
-from ..core.recursion import extend_last, matvec_each_step
+from ..core.recursion import matvec_each_step
+from ..core.walk import Walk
 from ..models.gaussian import Gaussian, clip_variances, unchecked_gaussian
 from ..models.state_space import LinearModel, NonlinearModel
 
@@ -133,28 +134,31 @@ class Track(Filtered):
     @cached_property
     def nis(self) -> np.ndarray:
         """Normalised innovation squared yᵀ S⁻¹ y of what was measured, (..., T); NaN where nothing was."""
-        return scores(self.innovation)[0]
+        return self._scores[0]
 
     @cached_property
     def log_likelihood(self) -> np.ndarray:
         """The logarithm of the probability density of the whole series under the model, (...)."""
-        return scores(self.innovation)[1].sum(axis=-1)
+        return self._scores[1].sum(axis=-1)
+
+    @property
+    def _scores(self):
+        return scores(self.innovation, self._later.S_root())
 
 
 @dataclass(frozen=True, eq=False)
 class LinearSteps(Frozen):
     """What a linear filter keeps for later: predictions and innovations follow from its means.
 
-    model, z (..., T, m), u (..., T, p) or None; start: the initial mean (..., n); predicted_cov and S: the covariances
-    of predictions and innovations, one a step until they no longer change.
+    model, z (..., T, m), u (..., T, p) or None; start: the initial mean (..., n); plan: a Walk whose parts are the
+    distinct steps, with predicted P, S, and S_root where there is one.
     """
 
     model: LinearModel
     z: np.ndarray
     u: np.ndarray | None
     start: np.ndarray
-    predicted_cov: np.ndarray
-    S: np.ndarray
+    plan: Walk
 
     def predicted(self, mean):
         """The beliefs before each measurement, from the means (..., T, n) after them: eqs (5) and (6)."""
@@ -163,12 +167,20 @@ class LinearSteps(Frozen):
         moved = matvec_each_step(self.model.F, before)
         if self.u is not None:
             moved = moved + matvec_each_step(self.model.B, self.u)
-        return unchecked_gaussian(moved, extend_last(symmetric(self.predicted_cov), mean.shape[-2]))
+        return unchecked_gaussian(moved, self._each(symmetric(self.plan.parts.predicted)))
 
     def innovation(self, predicted):
         """z − H x⁻ and S."""
         y = self.z - matvec_each_step(self.model.H, predicted.mean)
-        return unchecked_gaussian(y, extend_last(self.S, y.shape[-2]))
+        return unchecked_gaussian(y, self._each(self.plan.parts.S))
+
+    def S_root(self):
+        """The triangular roots of S, in which unmeasured components have variance 1; None where there are none."""
+        root = self.plan.parts.S_root
+        return None if root is None else self._each(root)
+
+    def _each(self, part):
+        return self.plan.each(part, self.z.shape[-2])
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,6 +197,10 @@ class StackedSteps(Frozen):
     def innovation(self, predicted):
         """The innovations with their covariances."""
         return stack_in_time(self.innovations)
+
+    def S_root(self):
+        """No roots are kept."""
+        return
 
 
 def stack_in_time(beliefs):
@@ -204,15 +220,20 @@ def read_only(belief):
     return belief if cov is belief.cov else unchecked_gaussian(belief.mean, cov)
 
 
-def scores(innovation):
-    """NIS and log-likelihood of each step, (..., T) each."""
+def scores(innovation, S_root=None):
+    """NIS and log-likelihood of each step, (..., T) each; from triangular roots of S where they are known."""
     missing = np.isnan(innovation.mean)
-    y, S = np.where(missing, 0, innovation.mean), compact(innovation.cov)
-    if missing.any():
-        S = decouple_missing(S, missing)
-    nis = squared_distance(y, S)
+    y = np.where(missing, 0, innovation.mean)
+    if S_root is None:
+        S = compact(innovation.cov)
+        if missing.any():
+            S = decouple_missing(S, missing)
+        nis, log_det = squared_distance(y, S), log_determinant(S)
+    else:
+        nis = np.sum(np.linalg.solve(S_root, y[..., None])[..., 0] ** 2, axis=-1)
+        log_det = 2 * np.sum(np.log(abs(np.diagonal(S_root, axis1=-2, axis2=-1))), axis=-1)
     seen = (~missing).sum(axis=-1)
-    log = -0.5 * (nis + log_determinant(S) + seen * np.log(2 * np.pi))
+    log = -0.5 * (nis + log_det + seen * np.log(2 * np.pi))
     return np.where(seen > 0, nis, np.nan), log
 
 

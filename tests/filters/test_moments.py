@@ -101,7 +101,7 @@ def test_an_angle_may_jump(rule):
     cov = np.array([[0.1, 0.02], [0.02, 0.3]])
     west = rule(Gaussian([-5, 0.1], cov), bearing, difference=difference)
     east = rule(Gaussian([5, -0.1], cov), bearing)
-    rounding = 1e-15 * rule.others * 2  # the weights multiply the rounding errors of angles near π
+    rounding = 1e-15 * rule.weight * 2  # the weights multiply the rounding errors of angles near π
     np.testing.assert_allclose(difference(west.mean - np.pi, east.mean), 0, atol=rounding)
     np.testing.assert_allclose(west.cov, east.cov, rtol=1e-9)
     np.testing.assert_allclose(west.cross, -east.cross, atol=rounding)

@@ -49,7 +49,7 @@ def negative_steps(form, precision):
     L, count = np.sqrt(P), 0
     for _ in range(100):
         if form == "square root":
-            L, (*_, P) = square_root_step(L, F, H, Q, R)
+            L, (_, _, _, P, *_) = square_root_step(L, F, H, Q, R)
         else:
             P = F @ P @ F.T
             P = corrected(form, P, H, R, P @ H.T / (H @ P @ H.T + R))
