@@ -137,13 +137,16 @@ def matvec_each_step(M, v, index=None):
     index: which of the M belongs to each step, (..., T), as in Walk.
     """
     if index is not None and M.ndim > 2:
-        return np.matvec(M[index], v)
+        M = M[index]
+        if v.ndim == 2:
+            return np.matvec(M, v)
     # One matrix for all steps, and vectors that lie in memory one after the other: a single matrix product.
     if M.ndim == 2 and (v.ndim == 2 or v.flags.c_contiguous):
         return matvec(M, v)
     # Matrices that differ between runs: nothing is shared.
     if M.ndim > 3:
-        return np.matvec(pick(M, None, v.shape[-2]), v)
+        M, v = np.moveaxis(pick(M, None, v.shape[-2]), -3, 0), np.moveaxis(v, -2, 0)
+        return np.moveaxis(np.matvec(M, v), 0, -2)
     # One matrix a step serves all runs. Move the runs to the last axis (the means that linear_recursion makes lie that
     # way already, so nothing is copied): then one matrix product a step serves them all.
     M = M if M.ndim > 2 else M[None]
