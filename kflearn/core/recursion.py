@@ -145,8 +145,7 @@ def matvec_each_step(M, v, index=None):
         return matvec(M, v)
     # Matrices that differ between runs: nothing is shared.
     if M.ndim > 3:
-        M, v = np.moveaxis(pick(M, None, v.shape[-2]), -3, 0), np.moveaxis(v, -2, 0)
-        return np.moveaxis(np.matvec(M, v), 0, -2)
+        return np.matvec(pick(M, None, v.shape[-2]), v)
     # One matrix a step serves all runs. Move the runs to the last axis (the means that linear_recursion makes lie that
     # way already, so nothing is copied): then one matrix product a step serves them all.
     M = M if M.ndim > 2 else M[None]

@@ -53,16 +53,19 @@ def walk(symbols, start, step, same) -> Walk:
 
 
 class _Atlas:
-    """All states met so far, by number (0 is the start), and which of them follows which under which symbol."""
+    """All steps met so far, by number (0 is the start): what is carried after each, and which follows under a symbol.
+
+    Two steps may end alike and yet differ: state[number] is the first step that ended as this one did.
+    """
 
     def __init__(self, start, step, same, symbols):
-        self.step, self.same, self.count, self.parts = step, same, 1, []
-        self.carried = np.array([start])
-        self.symbols, self.follows = symbols, {}  # {state * symbols + symbol: the next state}
+        self.step, self.same, self.parts = step, same, []
+        self.carried, self.state, self.count = np.array([start]), np.zeros(1, int), 1
+        self.symbols, self.follows = symbols, {}  # {state * symbols + symbol: the step that follows}
         self.rest, self.last = {}, {}  # under each symbol, the state at rest, and the last new one: there may be cycles
 
     def one_run(self, symbols):
-        """The states along one run (T,): whole stretches of one symbol at a time."""
+        """The steps along one run (T,): whole stretches of one symbol at a time."""
         index = np.empty(len(symbols), int)
         cuts = [0, *(np.flatnonzero(np.diff(symbols)) + 1).tolist(), len(symbols)]
         state, paths = 0, {}
@@ -73,38 +76,39 @@ class _Atlas:
             path = path[: end - begin]
             index[begin : begin + len(path)] = path
             index[begin + len(path) : end] = path[-1]
-            state = int(index[end - 1])
+            state = int(self.state[index[end - 1]])
         return index
 
     def _extend(self, path, state, symbol, length):
         """Make a path under one symbol `length` long, or until it comes to rest."""
         while len(path) < length:
-            last = path[-1] if path else state
-            after = self.follows.get(last * self.symbols + symbol)
+            state = int(self.state[path[-1]]) if path else state
+            after = self.follows.get(state * self.symbols + symbol)
             if after is None:
-                after = self.follows[last * self.symbols + symbol] = self._one(last, symbol)
-            if path and after == last:
+                after = self.follows[state * self.symbols + symbol] = self._one(state, symbol)
+            if path and after == path[-1]:
                 return
             path.append(after)
 
     def _one(self, state, symbol):
-        """Compute the state that follows; return its number, an old one where it was here before."""
+        """Compute the step that follows a state; return its number."""
         carried, parts = self.step(self.carried[state], symbol)
-        for number in {self.rest.get(symbol), self.last.get(symbol)} - {None}:
-            before = self.carried[number]
-            # A quick look at the first entry: most states differ there.
-            if abs(carried[0, 0] - before[0, 0]) <= 1e-14 * abs(carried[0, 0]) and self.same(carried, before):
-                if number == state:
-                    self.rest[symbol] = number
-                return number
         number = self._enter(carried[None], [None if part is None else part[None] for part in parts])
+        for known in {self.rest.get(symbol), self.last.get(symbol)} - {None}:
+            before = self.carried[known]
+            # A quick look at the first entry: most differ there.
+            if abs(carried[0, 0] - before[0, 0]) <= 1e-14 * abs(carried[0, 0]) and self.same(carried, before):
+                self.state[number] = known
+                if known == state:
+                    self.rest[symbol] = known
+                return number
         self.last[symbol] = number
         return number
 
     def many_runs(self, symbols):
-        """The states along many runs (runs, T): step by step, what is new of all runs at once."""
-        if symbols.shape[-1] > 1:
-            self._settle(symbols)
+        """The steps along many runs (runs, T): one after the other, what is new of all runs at once."""
+        if symbols.shape[-1] > 1:  # most runs come back after a gap to where they rest without one
+            self._extend([], 0, int(np.bincount(symbols.ravel()).argmax()), symbols.shape[-1])
         index = np.empty(symbols.shape, int)
         here = np.zeros(len(symbols), int)
         for k, now in enumerate(symbols.T):
@@ -112,33 +116,26 @@ class _Atlas:
             new = [key for key in set(keys.tolist()) if key not in self.follows]
             if new:
                 self._many(np.sort(new))
-            index[:, k] = here = np.array([self.follows[key] for key in keys.tolist()])
+            index[:, k] = [self.follows[key] for key in keys.tolist()]
+            here = self.state[index[:, k]]
         return index
 
-    def _settle(self, symbols):
-        """Find where a run comes to rest under the commonest symbol: most runs come back to it after a gap."""
-        common = int(np.bincount(symbols.ravel()).argmax())
-        self._extend([], 0, common, symbols.shape[-1])
-
     def _many(self, keys):
-        """Compute the states that follow many pairs of state and symbol."""
+        """Compute the steps that follow many pairs of state and symbol."""
         states, symbols = np.divmod(keys, self.symbols)
         carried, parts = self.step(self.carried[states], symbols)
-        numbers = np.full(len(states), -1)
+        first = self._enter(carried, parts)
         for symbol, rest in self.rest.items():
-            numbers[(symbols == symbol) & self.same(carried, self.carried[rest])] = rest
-        new = numbers < 0
-        if new.any():
-            first = self._enter(carried[new], [None if part is None else part[new] for part in parts])
-            numbers[new] = np.arange(first, self.count)
-        self.follows.update(zip(keys.tolist(), numbers.tolist(), strict=True))
+            self.state[first : self.count][(symbols == symbol) & self.same(carried, self.carried[rest])] = rest
+        self.follows.update(zip(keys.tolist(), range(first, self.count), strict=True))
 
     def _enter(self, carried, parts):
-        """Take new states (count, n, n) in; return the number of the first."""
+        """Take new steps (count, n, n) in; return the number of the first."""
         first, self.count = self.count, self.count + len(carried)
         if self.count > len(self.carried):
             more = max(len(self.carried), len(carried))
             self.carried = np.concatenate([self.carried, np.empty((more, *self.carried.shape[1:]))])
+            self.state = np.concatenate([self.state, np.arange(len(self.state), len(self.state) + more)])
         self.carried[first : self.count] = carried
         self.parts.append(parts)
         return first

@@ -6,61 +6,53 @@ from kflearn.exercises.engine import exercise
 
 
 def corrections(rng):
-    """A predicted covariance, any gain (not the best one), one row of H and R."""
-    half = rng.integers(-3, 4, (2, 2)).astype(float)
-    P = half @ half.T + np.diag(rng.integers(1, 4, 2))
-    K = rng.integers(1, 9, (2, 1)) / 8
-    H = np.array([[1.0, rng.integers(1, 4) / 2]])
-    return P, K, H, np.array([[float(rng.integers(1, 5))]])
-
-
-def keep(P, K, H):
-    """I − KH."""
-    return np.eye(len(P)) - K @ H
+    """Variances of prediction and reading, any gain (not the best one), and what a filter claims afterwards."""
+    P, R, claim = (float(number) for number in rng.integers(1, 10, 3))
+    return P, int(rng.integers(1, 8)) / 8, R, claim / 2
 
 
 @exercise(
     hints=[
-        "After the correction the error is (I − KH) times the error before, minus K times the error of the reading.",
-        "The two errors are independent, so their covariances add; a matrix A turns a covariance C into A C Aᵀ.",
-        "`keep = np.eye(len(P)) - K @ H`, then `return keep @ P @ keep.T + K @ R @ K.T`",
+        "NEES is the squared error divided by the claimed variance. What is the mean of the squared error here?",
+        "After the correction the error is (1 − K) times the error before, minus K times the error of the reading.",
+        "Joseph's form holds for any gain: the mean squared error is (1 − K)²P + K²R.",
+        "`return ((1 - K) ** 2 * P + K**2 * R) / claim`",
     ],
     inputs=corrections,
     wrong={
         "plain": (
-            lambda P, K, H, R: keep(P, K, H) @ P,
-            "That is the plain form (I − KH)P: true for the best gain only, and here K is any gain.",
+            lambda P, K, R, claim: (1 - K) * P / claim,
+            "Above the line stands (1 − K)P: true for the best gain only, and here K is any gain.",
         ),
-        "symmetrised": (
-            lambda P, K, H, R: (keep(P, K, H) @ P + P @ keep(P, K, H).T) / 2,
-            "That is the plain form, symmetrised: it looks better, and is as wrong as before for any gain but the best.",
+        "upside down": (
+            lambda P, K, R, claim: claim / ((1 - K) ** 2 * P + K**2 * R),
+            "That is claimed by actual variance, upside down: NEES above 1 must mean too sure.",
         ),
-        "KRKᵀ forgotten": (
-            lambda P, K, H, R: keep(P, K, H) @ P @ keep(P, K, H).T,
-            "The first half is right. The reading has an error too, and the gain lets K times that in: add KRKᵀ.",
+        "K²R forgotten": (
+            lambda P, K, R, claim: (1 - K) ** 2 * P / claim,
+            "The first half is right. The reading has an error too, and the gain lets K times that in: add K²R.",
         ),
-        "KRKᵀ subtracted": (
-            lambda P, K, H, R: keep(P, K, H) @ P @ keep(P, K, H).T - K @ R @ K.T,
-            "Both halves are there, but the reading's error makes P larger: add, and nothing can become negative.",
+        "K²R subtracted": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P - K**2 * R) / claim,
+            "Both halves are there, but the reading's error makes the mean squared error larger: add.",
         ),
-        "transpose forgotten": (
-            lambda P, K, H, R: keep(P, K, H) @ P @ keep(P, K, H) + K @ R @ K.T,
-            "On the right of P belongs the transpose of I − KH: a covariance C becomes A C Aᵀ.",
+        "K not squared": (
+            lambda P, K, R, claim: ((1 - K) * P + K * R) / claim,
+            "Variances go with the squares: an error times 1 − K has (1 − K)² times the variance, and K counts as K².",
         ),
-        "P − KSKᵀ": (
-            lambda P, K, H, R: P - K @ (H @ P @ H.T + R) @ K.T,
-            "P − KSKᵀ is another subtraction that is true for the best gain only.",
-        ),
-        "KHPHᵀKᵀ": (
-            lambda P, K, H, R: keep(P, K, H) @ P @ keep(P, K, H).T + K @ (H @ P @ H.T + R) @ K.T,
+        "K²S": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + K**2 * (P + R)) / claim,
             "In the second half stands R, the variance of the reading alone, not S: the state's part is counted already.",
+        ),
+        "root": (
+            lambda P, K, R, claim: (((1 - K) ** 2 * P + K**2 * R) / claim) ** 0.5,
+            "That is a ratio of standard deviations. NEES compares squares: leave the root out.",
         ),
     },
 )
-def joseph(P, K, H, R):
-    """The covariance after a correction with any gain K, in Joseph's form."""
-    keep = np.eye(len(P)) - K @ H
-    return keep @ P @ keep.T + K @ R @ K.T
+def average_nees(P, K, R, claim):
+    """The average NEES of a filter of one state (H = 1) that uses the gain K and claims the variance `claim`."""
+    return ((1 - K) ** 2 * P + K**2 * R) / claim
 
 
 @exercise(
@@ -132,50 +124,60 @@ def orders_of_the_root(orders):
 
 
 def two_roots(rng):
-    """Roots of a covariance before and after a correction: lower triangular, as the square-root filter keeps them."""
+    """Roots of a covariance before and after a correction, lower triangular; which comes first is chance."""
     before = np.tril(rng.integers(1, 7, (2, 2))).astype(float)
-    after = np.tril(rng.integers(-6, 7, (2, 2))) / 4
-    return before, after + np.diag([1.75, -1.75])
+    after = before * rng.choice([-0.75, -0.5, 0.25, 0.5], 2)
+    return (before, after) if rng.random() < 0.5 else (after, before)
+
+
+def smaller(first, second):
+    """Of two covariances the one with the smaller trace."""
+    return first if np.trace(first) < np.trace(second) else second
 
 
 @exercise(
     hints=[
-        "Which of the two roots does the published line use, the one before the reading or the one after it?",
-        "`P_post` is the covariance after the reading. Root times transposed root, in which order?",
-        "`return root_post @ root_post.T`",
+        "Square both roots. What can a reading do to a variance, and what can it never do?",
+        "A reading never makes a variance larger. So the covariance after it is the one with the smaller trace.",
+        "Root times transposed root, in this order: L Lᵀ.",
+        "`P, other = one @ one.T, two @ two.T`, then `return P if np.trace(P) < np.trace(other) else other`",
     ],
     inputs=two_roots,
     wrong={
         "as published": (
-            lambda prior, post: prior @ prior.T,
-            "That is the published line: the covariance before the reading. Look at the name of what is multiplied.",
+            lambda one, two: one @ one.T,
+            "That is the published line: it takes the first root, whichever it is. Look at the sizes of both.",
+        ),
+        "always the second": (
+            lambda one, two: two @ two.T,
+            "You took the second root, whichever it is. Look at the sizes of both.",
+        ),
+        "the larger": (
+            lambda one, two: -smaller(-one @ one.T, -two @ two.T),
+            "You took the larger one: that is the covariance before the reading. A reading makes variances smaller.",
         ),
         "mixed": (
-            lambda prior, post: prior @ post.T,
+            lambda one, two: one @ two.T,
             "You mixed the two roots: both factors must be the one after the reading.",
         ),
         "transpose first": (
-            lambda prior, post: post.T @ post,
+            lambda one, two: smaller(one.T @ one, two.T @ two),
             "The right root, but in the wrong order: P = L Lᵀ. Lᵀ L has the same trace and is another matrix.",
         ),
         "no transpose": (
-            lambda prior, post: post @ post,
+            lambda one, two: smaller(one @ one, two @ two),
             "The second factor must be transposed: P = L Lᵀ is symmetric, L L is not.",
         ),
         "the root": (
-            lambda prior, post: post,
+            lambda one, two: one if np.trace(one @ one.T) < np.trace(two @ two.T) else two,
             "That is the root. The property promises the covariance, L Lᵀ.",
         ),
-        "difference": (
-            lambda prior, post: prior @ prior.T - post @ post.T,
-            "That is by how much the reading has reduced P; asked is what is left.",
-        ),
         "elementwise": (
-            lambda prior, post: post * post,
+            lambda one, two: smaller(one * one, two * two),
             "You squared each element; `*` is not the matrix product `@`.",
         ),
     },
 )
-def posterior(root_prior, root_post):
-    """The covariance after the reading, from the roots before and after it."""
-    return root_post @ root_post.T
+def posterior(one, two):
+    """The covariance after the reading, from two roots: one of the covariance before the reading, one of that after."""
+    return smaller(one @ one.T, two @ two.T)

@@ -109,15 +109,15 @@ def backward_gain(slope, L, noise):
 
 
 def _divide_by_root(B, A):
-    """B A⁻¹ for triangular A (..., n, n), which may be singular, as when Q = 0 and something is known exactly."""
+    """B A⁻¹ for lower triangular A (..., n, n), also where A is singular, as when something is known exactly.
+
+    A number near 0 on the diagonal: this component follows from those before it, and so tells nothing more.
+    """
     size = np.sqrt(np.sum(A * A, axis=-1))
-    size = np.where(size > 0, size, 1)
-    unit = A / size[..., :, None]
-    thin = abs(np.diagonal(unit, axis1=-2, axis2=-1)).min(axis=-1) < 1e-10
-    found = np.linalg.solve(np.where(thin[..., None, None], np.eye(A.shape[-1]), unit).mT, B.mT).mT
-    if thin.any():
-        found[thin] = B[thin] @ np.linalg.pinv(unit[thin], rcond=1e-13)
-    return found / size[..., None, :]
+    own = np.diagonal(A, axis1=-2, axis2=-1)
+    tells = abs(own) > 1e-14 * size
+    A = np.where(tells[..., :, None], A, np.eye(A.shape[-1]))
+    return np.linalg.solve(A.mT, np.where(tells[..., None, :], B, 0).mT).mT
 
 
 def _smoothed_covariances(gain, left, index, T):
@@ -138,7 +138,7 @@ def _smoothed_covariances(gain, left, index, T):
 
 def _shifts(track, gain, index):
     """By how much means change: d_k = G_k (d_{k+1} + x̂_{k+1} − x⁻_{k+1}), backwards, with G = 0 at the last step."""
-    learnt = track.mean - track.predicted.mean
+    learnt = track.learnt
     ahead = np.concatenate([learnt[..., 1:, :], np.zeros_like(learnt[..., :1, :])], axis=-2)
     drive = matvec_each_step(gain, ahead, index)[..., ::-1, :]
     back = None if index is None else index[..., ::-1]

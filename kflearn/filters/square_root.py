@@ -82,3 +82,10 @@ def triangular(A):
     """The lower triangular L (..., n, n) with L Lᵀ = A Aᵀ for A (..., n, any); its diagonal is not negative."""
     L = np.linalg.qr(A.mT, mode="r").mT
     return np.where(np.diagonal(L, axis1=-2, axis2=-1)[..., None, :] < 0, -L, L)
+
+
+def turned(A):
+    """The same L, and the turn U (..., any, n), whose columns are orthogonal, with L = A U."""
+    U, R = np.linalg.qr(A.mT)
+    sign = np.where(np.diagonal(R, axis1=-2, axis2=-1)[..., None, :] < 0, -1, 1)
+    return R.mT * sign, U * sign

@@ -5,11 +5,11 @@ import numpy as np
 from ..core.conditioning import decouple_missing
 from ..core.matrices import root, step_matrix, with_batch
 from ..core.recursion import linear_recursion, matvec_each_step
-from ..core.walk import Walk, same_root, walk
+from ..core.walk import Walk, pick, same_root, walk
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..results.track import read_only
 from .linear import gap_kinds
-from .square_root import corrected_root, divide_root, square_root_kalman_filter, triangular
+from .square_root import square_root_kalman_filter, triangular, turned
 
 
 def two_filter_smoother(model, z, initial, u=None) -> Gaussian:
@@ -50,23 +50,34 @@ def two_filter_smoother(model, z, initial, u=None) -> Gaussian:
 def _fused(model, forward):
     """Means and covariances given what the forward filter and the measurements ahead say."""
     T, before = forward.mean.shape[-2], forward._later.plan
-    after, q = _ahead(model, forward)
+    after, s = _ahead(model, forward)
     L, M = before.parts.root, after.parts[0]
     if L.ndim > 3 or M.ndim > 3:
-        P = _fused_covariance(before.each(L, T), after.each(M, T)[..., ::-1, :, :])
+        which, L, M = None, before.each(L, T), after.each(M, T)[..., ::-1, :, :]
     else:  # each pair of a belief and what is ahead of it once
         pairs = before.rows(T) * len(M) + after.rows(T)[..., ::-1]
         distinct, which = np.unique(pairs, return_inverse=True)
-        P = _fused_covariance(L[distinct // len(M)], M[distinct % len(M)])[which.reshape(pairs.shape)]
-    return forward.mean + matvec_each_step(P, q), P
+        which, L, M = which.reshape(pairs.shape), L[distinct // len(M)], M[distinct % len(M)]
+    told = _comparable(L.mT @ M)
+    half = triangular(np.concatenate([np.broadcast_to(np.eye(model.n), told.shape), told], axis=-1))
+    kept = np.linalg.inv(half).mT  # (I + LᵀYL)⁻¹ = kept keptᵀ, and P₊ = (P⁻¹ + Y)⁻¹ = L kept keptᵀ Lᵀ
+    mean = forward.mean + matvec_each_step(L, _in_units(kept, told, s, which), which)
+    P = L @ kept
+    return mean, pick(P @ P.mT, which, T)
 
 
-def _fused_covariance(L, M):
-    """(P⁻¹ + Y)⁻¹ = L (I + LᵀYL)⁻¹ Lᵀ with P = L Lᵀ and Y = M Mᵀ: neither P nor Y need have an inverse."""
-    more = _comparable(L.mT @ M)
-    half = triangular(np.concatenate([np.broadcast_to(np.eye(L.shape[-1]), more.shape), more], axis=-1))
-    kept = np.linalg.solve(half, L.mT)
-    return kept.mT @ kept
+def _in_units(kept, told, s, which):
+    """How far the mean moves, in units of the forward root: the solution ξ of (I + told toldᵀ) ξ = told s.
+
+    Solved twice, the second time for what is left: where s is millions, the first answer lacks digits.
+    """
+
+    def solve(right):
+        return matvec_each_step(kept, matvec_each_step(kept.mT, right, which), which)
+
+    move = solve(matvec_each_step(told, s, which))
+    left = s - matvec_each_step(told.mT, move, which)
+    return move + solve(matvec_each_step(told, left, which) - move)
 
 
 def _comparable(told):
@@ -77,27 +88,27 @@ def _comparable(told):
 
 
 def _ahead(model, forward):
-    """What the measurements after each step say of its state: the Walk of _backwards, and q = y − Y x̂ (..., T, n).
+    """What the measurements after each step say of its state: the Walk of _backwards, and s (..., T, n).
 
-    q says by how much they disagree with the filter's mean x̂. It has a recursion of its own, driven by innovations; to
-    subtract y − Y x̂ would lose digits where both are large, and in q the control input cancels.
+    M s = y − Y x̂ says by how much they disagree with the filter's mean x̂. s has a recursion of its own, driven by
+    innovations: to subtract y − Y x̂ would lose digits where both are large, and the control input cancels.
     """
     missing = np.isnan(forward._later.z)
-    seen = np.where(missing, 0, forward.innovation.mean)
-    plan, weights = _backwards(model, missing)
+    plan, scale = _backwards(model, missing)
     T = missing.shape[-2]
-    M, back = (plan.each(part, T)[..., ::-1, :, :] for part in plan.parts)
-    learnt = matvec_each_step(M.mT, forward.mean - forward.predicted.mean)
-    learnt = matvec_each_step(M, learnt) + matvec_each_step(weights, seen)
-    drive = matvec_each_step(back, learnt)[..., ::-1, :]
-    q = linear_recursion(plan.parts[1], drive, np.zeros(model.n), plan.index)[..., -2::-1, :]
-    return plan, np.concatenate([q, np.zeros((*q.shape[:-2], 1, model.n))], axis=-2)
+    M, back, inward = (plan.each(part, T)[..., ::-1, :, :] for part in plan.parts)
+    seen = matvec_each_step(scale, np.where(missing, 0, forward.innovation.mean))
+    learnt = matvec_each_step(M.mT, forward.learnt)
+    drive = (matvec_each_step(back, learnt) + matvec_each_step(inward, seen))[..., ::-1, :]
+    s = linear_recursion(plan.parts[1], drive, np.zeros(model.n), plan.index)[..., -2::-1, :]
+    return plan, np.concatenate([s, np.zeros((*s.shape[:-2], 1, model.n))], axis=-2)
 
 
 def _backwards(model, missing):
-    """A Walk from the last step to the first, and the weights HᵀR⁻¹ (..., n, m) of the measurements.
+    """A Walk from the last step to the first, and R^-½ (..., m, m), which gives innovations the variance 1.
 
-    The parts: a root M of the information Y = M Mᵀ ahead of each step, and what carries information one step back.
+    Its parts: a root M of the information Y = M Mᵀ ahead of each step, and what carries s and an innovation one step
+    back.
     """
     T, start = missing.shape[-2], np.zeros((model.n, model.n))
     masks, gaps = gap_kinds(missing)
@@ -106,27 +117,32 @@ def _backwards(model, missing):
     if masks.any():
         gone = masks if shared else masks[gaps]
         H, R = H * ~gone[..., :, None], decouple_missing(R, gone)
-    told, weights = np.linalg.solve(root(R), H).mT, np.linalg.solve(R, H).mT  # told is a root of HᵀR⁻¹H
+    scale = np.linalg.inv(root(R))
+    told = (scale @ H).mT  # a root of HᵀR⁻¹H
     if shared:
         G, told = root(model.Q), np.broadcast_to(told, (len(masks), *told.shape[-2:]))
         plan = walk(gaps[..., ::-1], start, lambda M, gap: _one_back(M, model.F, G, told[gap]), same_root)
-        return plan, weights[gaps] if masks.any() else weights
+        return plan, scale[gaps] if masks.any() else scale
     M, parts = start, []
     for k in range(T - 1, -1, -1):
         F, G = step_matrix(model.F, k), root(step_matrix(model.Q, k))
         M, part = _one_back(M, F, G, step_matrix(told, k))
         parts.append(part)
-    return Walk(tuple(np.stack(np.broadcast_arrays(*part), axis=-3) for part in zip(*parts, strict=True))), weights
+    return Walk(tuple(np.stack(np.broadcast_arrays(*part), axis=-3) for part in zip(*parts, strict=True))), scale
 
 
 def _one_back(M, F, G, told):
     """A root of the information before a step x' = F x + G w, from that after it; and what is kept for the step.
 
-    It is a correction again, with Gᵀ in the place of H and I in the place of R.
+    M gains the columns of a measurement, loses what the noise w hides (a correction again, with Gᵀ in the place of H
+    and I in the place of R), and goes through Fᵀ. All three are turns of its columns; s turns with them.
     """
-    batch, one = np.broadcast_shapes(M.shape[:-2], F.shape[:-2], G.shape[:-2], told.shape[:-2]), np.eye(F.shape[-1])
-    with_z = triangular(np.concatenate([with_batch(M, batch), with_batch(told, batch)], axis=-1))
-    _comparable(G.mT @ with_z)
-    S_root, cross, left = corrected_root(with_z, G.mT, one)
-    gain = divide_root(cross, S_root)
-    return triangular(F.mT @ left), (M, F.mT @ (one - gain @ G.mT))
+    batch, n = np.broadcast_shapes(M.shape[:-2], F.shape[:-2], G.shape[:-2], told.shape[:-2]), F.shape[-1]
+    with_z, first = turned(np.concatenate([with_batch(M, batch), with_batch(told, batch)], axis=-1))
+    hidden = _comparable(G.mT @ with_z)
+    array = np.zeros((*batch, 2 * n, 2 * n))
+    array[..., :n, :n], array[..., :n, n:], array[..., n:, :n] = hidden, np.eye(n), with_z
+    array, second = turned(array)
+    before, third = turned(F.mT @ array[..., n:, n:])
+    turn = third.mT @ second[..., :n, n:].mT @ first.mT
+    return before, (M, turn[..., :n], turn[..., n:])

@@ -142,6 +142,12 @@ class Track(Filtered):
         return self._scores[1].sum(axis=-1)
 
     @property
+    def learnt(self) -> np.ndarray:
+        """What each measurement changed in the mean, K (z − ẑ), (..., T, n): x̂ − x⁻ without the subtraction."""
+        y = self.innovation.mean
+        return matvec_each_step(compact(self.gain, 3), np.where(np.isnan(y), 0, y))
+
+    @property
     def _scores(self):
         return scores(self.innovation, self._later.S_root())
 
