@@ -37,7 +37,7 @@ def linear_filter(model, z, initial, u, step, carry=lambda P: P, same=same_covar
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
     z, u, _ = check_series(model, z, initial, u)
     T, missing = z.shape[-2], np.isnan(z)
-    plan = _plan(model, initial.cov, missing, step, carry, same)
+    plan = plan_steps(model, initial.cov, missing, step, carry, same)
     gain, index = plan.parts.gain, plan.index
     drive = matvec_each_step(gain, np.where(missing, 0, z) if missing.any() else z, index)
     whole = model.F.ndim == 2 and model.H.ndim == 2  # else the matrices of each step go with its gain
@@ -50,7 +50,7 @@ def linear_filter(model, z, initial, u, step, carry=lambda P: P, same=same_covar
         unchecked_gaussian(mean, plan.each(plan.parts.cov, T)),
         plan.each(gain, T),
         model,
-        LinearSteps(model, z, u, initial.mean, plan),
+        LinearSteps(model, z, u, initial, plan),
         u,
         through,
     )
@@ -67,7 +67,7 @@ def covariance_step(P, F, H, Q, R, missing, choose=divide):
     return P, Step(predicted, S, gain, P)
 
 
-def _plan(model, P, missing, step, carry, same) -> Walk:
+def plan_steps(model, P, missing, step, carry, same) -> Walk:
     """All covariances and gains, whose parts are a Step; each distinct one is computed once, where that is possible."""
     given = {name: M for name, M in stacks(model).items() if name != "B"}
     shared = P.ndim == 2 and all(M.ndim == 3 for M in given.values())

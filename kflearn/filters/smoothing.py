@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from ..core.matrices import compact, congruence, root, symmetric
+from ..core.matrices import compact, congruence, root
 from ..core.recursion import linear_recursion, matvec_each_step
-from ..core.walk import same_covariance, walk
+from ..core.walk import same_root, walk
 from ..models.arguments import check_model, check_stacks
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Filtered, LinearSteps, Track, read_only
+from .linear import plan_steps
 from .moments import Moments
-from .square_root import triangular
+from .square_root import square_root_step, triangular
 
 
 def rts_smoother(model, track) -> Gaussian:
@@ -27,7 +28,9 @@ def rts_smoother(model, track) -> Gaussian:
     Returns
     -------
     Gaussian
-        Mean (..., T, n) and cov (..., T, n, n), read-only. It equals the filter's at the last step.
+        Mean (..., T, n) and cov (..., T, n, n), read-only. It equals the filter's at the last step. After filters of
+        nonlinear models, which carry covariances and not their roots, its digits are lost where a start says that some
+        combination of uncertain states is known exactly.
 
     Raises
     ------
@@ -51,8 +54,8 @@ def rts_smoother(model, track) -> Gaussian:
     if track.mean.shape[-2] == 1:
         return track.filtered
     gain, left, index = _shared(model, track) or _of_each_step(model, track)
-    P = _smoothed_covariances(gain, left, index, track.mean.shape[-2])
-    return read_only(unchecked_gaussian(track.mean + _shifts(track, gain, index), symmetric(P)))
+    L = _smoothed_roots(gain, left, index, track.mean.shape[-2])
+    return read_only(unchecked_gaussian(track.mean + _shifts(track, gain, index), L @ L.mT))
 
 
 def _shared(model, track):
@@ -60,17 +63,21 @@ def _shared(model, track):
     later = track._later
     if model is not track.model or not isinstance(later, LinearSteps) or later.model is not model:
         return None
-    steps = later.plan.parts
-    if model.F.ndim > 2 or model.Q.ndim > 2 or steps.cov.ndim > 3:
+    if model.F.ndim > 2 or model.Q.ndim > 2 or later.plan.parts.cov.ndim > 3:
         return None
-    L = root(steps.cov) if steps.root is None else steps.root
-    gain, left = backward_gain(model.F @ L, L, root(model.Q))
-    T, count = track.mean.shape[-2], len(left)
-    index = later.plan.rows(T)
+    plan, noise, largest = later.plan, root(model.Q), _largest(later.plan.parts.predicted)
+    L = root(plan.parts.cov) if plan.parts.root is None else plan.parts.root
+    gain, left, thin = backward_gain(model.F @ L, L, noise, largest)
+    if (
+        thin and plan.parts.root is None
+    ):  # roots of rounded covariances will not do: let roots be carried from the start
+        plan = plan_steps(model, later.start.cov, np.isnan(later.z), square_root_step, root, same_root)
+        L = plan.parts.root
+        gain, left, _ = backward_gain(model.F @ L, L, noise, largest)
     # At the last step nothing is known of a later one: rows without gain, at which all of the covariance is left.
-    last = index[..., -1:] + count
-    none = np.zeros_like(gain)
-    return np.concatenate([gain, none]), np.concatenate([left, steps.cov]), np.concatenate([index[..., :-1], last], -1)
+    index = plan.rows(track.mean.shape[-2])
+    index = np.concatenate([index[..., :-1], index[..., -1:] + len(left)], axis=-1)
+    return np.concatenate([gain, np.zeros_like(gain)]), np.concatenate([left, L]), index
 
 
 def _of_each_step(model, track):
@@ -78,61 +85,74 @@ def _of_each_step(model, track):
     moved = _onward(model, track)
     P_next, Q = compact(track.predicted.cov, 3)[..., 1:, :, :], _from_second(model.Q)
     _check_same(model, track, moved, Q, P_next)
-    L = _roots(track) if moved.basis is None else moved.basis
-    slope = moved.slope @ L if moved.basis is None else moved.slope
-    gain, left = backward_gain(slope, L, root(Q + moved.rest))
-    last = compact(track.cov, 3)[..., -1:, :, :]
-    left = np.concatenate([left, np.broadcast_to(last, (*left.shape[:-3], *last.shape[-3:]))], axis=-3)
-    return np.concatenate([gain, np.zeros_like(gain[..., :1, :, :])], axis=-3), left, None
+    L = _roots(track)
+    before = L[..., :-1, :, :] if moved.basis is None else moved.basis
+    slope = moved.slope @ before if moved.basis is None else moved.slope
+    gain, left, _ = backward_gain(slope, before, root(Q + moved.rest), _largest(P_next))
+    last = np.broadcast_to(L[..., -1:, :, :], (*left.shape[:-3], 1, *left.shape[-2:]))
+    return np.concatenate([gain, np.zeros_like(gain[..., :1, :, :])], axis=-3), np.concatenate([left, last], -3), None
 
 
 def _roots(track):
-    """Roots of all covariances but the last."""
+    """Roots of the covariances at each step."""
     if isinstance(track._later, LinearSteps) and track._later.plan.parts.root is not None:
-        plan = track._later.plan
-        return plan.each(plan.parts.root, track.mean.shape[-2])[..., :-1, :, :]
-    return root(compact(track.cov, 3)[..., :-1, :, :])
+        return track._later.plan.each(track._later.plan.parts.root, track.mean.shape[-2])
+    return root(compact(track.cov, 3))
 
 
-def backward_gain(slope, L, noise):
-    """What the next state tells of this one: the gain G (..., n, n), and the covariance that is left once it is known.
+def _largest(predicted):
+    """The largest standard deviation of each state along time: by it one judges which digits are rounding errors."""
+    return np.sqrt(np.diagonal(predicted, axis1=-2, axis2=-1).max(axis=-2, keepdims=True))
+
+
+def backward_gain(slope, L, noise, largest):
+    """What the next state tells of this one: the gain G (..., n, n), a root of the covariance that is left once the
+    next state is known, and whether roots that were made from rounded covariances would lack digits here.
 
     [[F L, Q½], [L, 0]] has the same square as the triangular [[P⁻½, 0], [G P⁻½, C]], and C Cᵀ is what is left: nothing
-    is inverted but a root of P⁻. slope is F L, for a belief with the root L; noise is Q½.
+    is inverted but a root of P⁻. slope is F L, for a belief with the root L; noise is Q½; largest: as of _largest.
     """
     n = L.shape[-1]
     array = np.zeros((*np.broadcast_shapes(slope.shape[:-2], L.shape[:-2], noise.shape[:-2]), 2 * n, 2 * n))
     array[..., :n, :n], array[..., :n, n:], array[..., n:, :n] = slope, noise, L
     array = triangular(array)
-    C = array[..., n:, n:]
-    return _divide_by_root(array[..., n:, :n], array[..., :n, :n]), C @ C.mT
+    size, own = np.sqrt(np.sum(array[..., :n, :n] ** 2, axis=-1)), np.diagonal(array[..., :n, :n], axis1=-2, axis2=-1)
+    thin = bool((own < 1e-4 * size).any())
+    # Near 0 on the diagonal: this component follows from those before it, and so tells nothing more.
+    tells = own > np.maximum(1e-14 * size, 1e-15 * n * largest)
+    if tells.all():
+        return np.linalg.solve(array[..., :n, :n].mT, array[..., n:, :n].mT).mT, array[..., n:, n:], thin
+    return *_gain_of_few(array, tells), thin
 
 
-def _divide_by_root(B, A):
-    """B A⁻¹ for lower triangular A (..., n, n), also where A is singular, as when something is known exactly.
+def _gain_of_few(array, tells):
+    """Gain and what is left where only some components of the next state tell something: the others go last, as 0."""
+    n = tells.shape[-1]
+    order = np.argsort(~tells, axis=-1, kind="stable")
+    tell = np.take_along_axis(tells, order, axis=-1)
+    rows = np.take_along_axis(array[..., :n, :], order[..., None], axis=-2) * tell[..., None]
+    array = triangular(np.concatenate([rows, array[..., n:, :]], axis=-2))
+    A = np.where(tell[..., None], array[..., :n, :n], np.eye(n))
+    B, C = array[..., n:, :n], array[..., n:, n:]
+    gain = np.linalg.solve(A.mT, (B * tell[..., None, :]).mT).mT
+    gain = np.take_along_axis(gain, np.argsort(order, axis=-1)[..., None, :], axis=-1)
+    return gain, triangular(np.concatenate([B * ~tell[..., None, :], C], axis=-1))
 
-    A number near 0 on the diagonal: this component follows from those before it, and so tells nothing more.
-    """
-    size = np.sqrt(np.sum(A * A, axis=-1))
-    own = np.diagonal(A, axis1=-2, axis2=-1)
-    tells = abs(own) > 1e-14 * size
-    A = np.where(tells[..., :, None], A, np.eye(A.shape[-1]))
-    return np.linalg.solve(A.mT, np.where(tells[..., None, :], B, 0).mT).mT
 
-
-def _smoothed_covariances(gain, left, index, T):
-    """P_k = what is left + G_k P_{k+1} G_kᵀ, backwards: (..., T, n, n)."""
+def _smoothed_roots(gain, left, index, T):
+    """L_k with L_k L_kᵀ = what is left + G_k P_{k+1} G_kᵀ, backwards: (..., T, n, n)."""
     if index is None:
-        P = left.copy()
+        roots = [left[..., -1, :, :]]
         for k in range(T - 2, -1, -1):
-            P[..., k, :, :] += congruence(gain[..., k, :, :], P[..., k + 1, :, :])[0]
-        return P
+            ahead = gain[..., k, :, :] @ roots[-1]
+            roots.append(triangular(np.concatenate(np.broadcast_arrays(left[..., k, :, :], ahead), axis=-1)))
+        return np.moveaxis(np.stack(np.broadcast_arrays(*roots[::-1])), 0, -3)
 
-    def step(P, row):
-        P = left[row] + congruence(gain[row], P)[0]
-        return P, (P,)
+    def step(L, row):
+        L = triangular(np.concatenate([left[row], gain[row] @ L], axis=-1))
+        return L, (L,)
 
-    plan = walk(index[..., ::-1], np.zeros_like(left[0]), step, same_covariance)
+    plan = walk(index[..., ::-1], np.zeros_like(left[0]), step, same_root)
     return plan.each(plan.parts[0], T)[..., ::-1, :, :]
 
 

@@ -156,20 +156,20 @@ class Track(Filtered):
 class LinearSteps(Frozen):
     """What a linear filter keeps for later: predictions and innovations follow from its means.
 
-    model, z (..., T, m), u (..., T, p) or None; start: the initial mean (..., n); plan: a Walk whose parts are the
-    distinct steps, with predicted P, S, and S_root where there is one.
+    model, z (..., T, m), u (..., T, p) or None; start: the initial belief; plan: a Walk whose parts are the distinct
+    steps, with predicted P, S, and S_root where there is one.
     """
 
     model: LinearModel
     z: np.ndarray
     u: np.ndarray | None
-    start: np.ndarray
+    start: Gaussian
     plan: Walk
 
     def predicted(self, mean):
         """The beliefs before each measurement, from the means (..., T, n) after them: eqs (5) and (6)."""
         before = np.empty_like(mean)  # which lies in memory as `mean` does
-        before[..., 0, :], before[..., 1:, :] = self.start, mean[..., :-1, :]
+        before[..., 0, :], before[..., 1:, :] = self.start.mean, mean[..., :-1, :]
         moved = matvec_each_step(self.model.F, before)
         if self.u is not None:
             moved = moved + matvec_each_step(self.model.B, self.u)
