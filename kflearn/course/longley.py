@@ -13,6 +13,10 @@ Examples
 
 import numpy as np
 
+from ..filters.square_root import square_root_kalman_filter
+from ..models.gaussian import Gaussian
+from ..models.state_space import LinearModel
+
 # employed people (thousands); deflator of the gross national product, the product itself (million $), unemployed,
 # armed forces (both in hundreds), population from 14 years on (thousands), year
 _TABLE = """
@@ -50,3 +54,43 @@ CERTIFIED = np.array(
 )
 for _array in (z, H, CERTIFIED):
     _array.flags.writeable = False
+
+MODEL = LinearModel(np.eye(7), H[:, None], np.zeros((7, 7)), 1e5)  # the coefficients never change; R is about 300²
+
+
+def digits(x) -> float:
+    """How many digits of the worst of seven coefficients (7,) agree with the certified ones; at least 0."""
+    return float(max(0, -np.log10(np.max(abs(x / CERTIFIED - 1)))))
+
+
+def at_once(P0=None) -> np.ndarray:
+    """The coefficients (7,) by NumPy's lstsq, from all years together; it needs no P₀."""
+    return np.linalg.lstsq(H, z)[0]
+
+
+def by_joseph(P0) -> np.ndarray:
+    """The coefficients (7,) by a Kalman filter in Joseph's form, one year after another, from N(0, P₀ I)."""
+    P, x, R = P0 * np.eye(7), np.zeros(7), MODEL.R[0, 0]
+    for row, reading in zip(H, z, strict=True):
+        K = P @ row / (row @ P @ row + R)
+        keep = np.eye(7) - np.outer(K, row)
+        x, P = x + K * (reading - row @ x), keep @ P @ keep.T + R * np.outer(K, K)
+    return x
+
+
+def by_root(P0) -> np.ndarray:
+    """The coefficients (7,) by kflearn's square-root filter, from N(0, P₀ I)."""
+    return square_root_kalman_filter(MODEL, z, Gaussian(np.zeros(7), P0 * np.eye(7))).mean[-1]
+
+
+def by_root_noise_first(P0) -> np.ndarray:
+    """The same with the columns of the array in the other order: [[R½, H L], [0, L]]."""
+    L, x, r = P0**0.5 * np.eye(7), np.zeros(7), MODEL.R[0] ** 0.5
+    for row, reading in zip(H, z, strict=True):
+        array = np.vstack([np.append(r, row @ L), np.hstack([np.zeros((7, 1)), L])])
+        array = np.linalg.qr(array.T, mode="r").T
+        x, L = x + array[1:, 0] / array[0, 0] * (reading - row @ x), array[1:, 1:]
+    return x
+
+
+WAYS = {"lstsq, at once": at_once, "Joseph": by_joseph, "root, R½ first": by_root_noise_first, "root, R½ last": by_root}

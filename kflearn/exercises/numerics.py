@@ -57,35 +57,6 @@ def average_nees(P, K, R, claim):
 
 @exercise(
     hints=[
-        "What adds up in a prediction are the variances, F P Fᵀ + Q. What are they here?",
-        "3² + 4², and L is the root of that: the array [3  4] is rotated into [L  0].",
-        "The root of 9 + 16 = √25.",
-    ],
-    wrong={
-        "roots added": (
-            7.0,
-            "You added the roots. Variances add; roots go by Pythagoras, as the two short sides of a right triangle.",
-        ),
-        "variance": (25.0, "25 is the variance P⁻. The filter carries its root."),
-        "L and Q mixed": (
-            lambda: np.sqrt(3 + 4),
-            "3 and 4 are roots already: square them before you add.",
-        ),
-        "half a root": (
-            lambda: np.sqrt(9 + 4),
-            "3 was squared, 4 was not: 4 is a root of Q, so Q is 16.",
-        ),
-        "variance added to the root": (19.0, "You added the variance 16 to the root 3; add squares to squares."),
-        "Q forgotten": (3.0, "That is L, with F = 1 and without Q: a prediction makes the belief vaguer."),
-    },
-)
-def predicted_root():
-    """The root after a prediction with F = 1, when the root before is 3 and Q has the root 4."""
-    return np.hypot(3, 4)
-
-
-@exercise(
-    hints=[
         "If P = 10ⁿ, what is the number that gives P when it is multiplied with itself?",
         "The root of 10ⁿ is 10 to the power of n/2. Now compare the largest with the smallest.",
         "`return orders / 2`",
