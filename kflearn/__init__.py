@@ -24,7 +24,8 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     imm_filter                  several, of both     MultipleModelTrack  no
     mmae_filter                 several, of both     MultipleModelTrack  no
 
-Step by step: predict, correct, kalman_step, start_from; the ways through a function: linearize, unscented, cubature.
+Step by step: predict, correct, kalman_step. Starts: start_from, diffuse_start. The ways through a function: linearize,
+unscented, cubature.
 Smoothers: rts_smoother, two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval,
 rmse, report_card. Models: random_walk, constant_velocity, constant_acceleration, singer, cart; simulate,
 numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which
@@ -38,6 +39,7 @@ from .course import bearings, homing, navigation, recordings, scenarios, video
 from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.consider import schmidt_kalman_filter
+from .filters.diffuse import diffuse_start
 from .filters.kalman import (
     cubature_kalman_filter,
     extended_kalman_filter,
@@ -117,6 +119,7 @@ __all__ = [
     "coverage",
     "cubature",
     "cubature_kalman_filter",
+    "diffuse_start",
     "extended_kalman_filter",
     "homing",
     "imm_filter",

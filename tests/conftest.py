@@ -11,6 +11,8 @@ SLOW = (  # beginnings of names: more than about a second, on a quiet machine
     "tests/course/test_scenarios.py::test_it_simulates_and_its_filter_runs[ball",
     "tests/course/test_scenarios.py::test_it_simulates_and_its_filter_runs[inertial_navigation",
     "tests/course/test_video.py::test_own_film",
+    "tests/filters/test_diffuse.py::test_structural_models",
+    "tests/filters/test_ill_conditioned.py",
     "tests/filters/test_multiple_models.py::test_no_weight_ever_dies",
     "tests/filters/test_properties.py::test_a_converged_gain_changes_nothing[150]",
     "tests/filters/test_properties.py::test_a_slowly_converging_gain_is_not_held_too_early",

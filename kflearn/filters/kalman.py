@@ -46,7 +46,9 @@ def kalman_filter(model, z, initial, u=None) -> Track:
     Returns
     -------
     Track
-        With mean (..., T, n) and cov (..., T, n, n) after each measurement, in the units of the states.
+        With mean (..., T, n) and cov (..., T, n, n) after each measurement, in the units of the states. Where S is
+        10ᵈ times R, up to d of a double's 16 digits are lost, counted in standard deviations; so it is in all filters
+        but square_root_kalman_filter. For a start of which nothing is known, see diffuse_start.
 
     Raises
     ------

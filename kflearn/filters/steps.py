@@ -251,7 +251,7 @@ def refuse_innovation(k):
     """Say that S of step k is no covariance, and what to do."""
     raise ValueError(
         f"R must be larger beside P: at step {k} S = H P⁻ Hᵀ + R is singular or negative in rounded numbers. If P is "
-        "huge, start with a smaller one or use square_root_kalman_filter; if two components measure nearly the same, "
+        "huge, start with diffuse_start or use square_root_kalman_filter; if two components measure nearly the same, "
         "leave one out; sigma points need kappa of at least 0, or beta = 2"
     )
 

@@ -11,6 +11,7 @@ from kflearn import (
     extended_kalman_filter,
     kalman_filter,
     rts_smoother,
+    square_root_kalman_filter,
     two_filter_smoother,
     unscented_kalman_filter,
 )
@@ -92,11 +93,16 @@ def test_a_function_that_fails_on_all_steps_at_once_is_named():
         rts_smoother(model.replace(f=lambda x: (np.eye(2, 3) @ x.T).T), track)
 
 
-def test_two_filters_too_far_apart_are_refused():
+def test_two_filters_far_apart_are_right_and_too_far_apart_are_refused():
     for n in (2, 3):
+        start = Gaussian(np.zeros(n), np.eye(n))
         far = LinearModel(0.9 * np.eye(n), np.ones((1, n)), 1e8 * np.eye(n), 1e-8)
+        found = two_filter_smoother(far, np.arange(6.0), start)
+        expected = rts_smoother(far, square_root_kalman_filter(far, np.arange(6.0), start))
+        np.testing.assert_allclose(found.std, expected.std, rtol=1e-9)
+        assert (abs(found.mean - expected.mean) <= 1e-9 * expected.std).all()
         with pytest.raises(ValueError, match="Q must be smaller beside R"):
-            two_filter_smoother(far, np.arange(6.0), Gaussian(np.zeros(n), np.eye(n)))
+            two_filter_smoother(far.replace(Q=1e20 * np.eye(n), R=1e-12), np.arange(6.0), start)
 
 
 def test_the_cut_off_of_the_division_keeps_what_is_nearly_singular():
