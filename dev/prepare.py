@@ -26,7 +26,7 @@ NO_VENV = """This Python ({}) cannot make environments: its module venv is not c
 On Debian and Ubuntu that is a package of its own: sudo apt install python3-venv. Then give the command again."""
 MAKING = "The environment in {} is being made: one to three minutes, this once."
 RENEWING = "The environment in {} is being brought up to date."
-ADDING = "{} more packages for the tests and the teachers' commands are being added to {}: one to two minutes."
+ADDING = "{} more packages for the tests and the teachers' commands are being added to {}: one to three minutes."
 STOPPED = """The installation stopped. These are its last lines; all of them are in {}.
 
 {}
