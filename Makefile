@@ -36,11 +36,13 @@ clear: $(READY)           ## the lessons without outputs, for a class, in build/
 	$(BIN)/jupyter nbconvert --log-level=WARN --ClearOutputPreprocessor.enabled=True --to notebook --output-dir build/clear notebooks/[0-9][0-9]-*.ipynb
 
 quick: $(MORE)            ## what is tried in less than a minute: style, the house, filters and all they stand on
+	@$(BIN)/python -m dev.lessons
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m pytest -n $(WORKERS) -q --dist=worksteal -m "not slow" $(QUICK)
 
-test: $(MORE) $(if $(CI),browser)          ## style, types, unit tests, examples, lessons, browser
+test: $(MORE) $(if $(CI),browser)          ## for an untouched clone: style, types, unit tests, examples, lessons, browser
+	@$(BIN)/python -m dev.lessons
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m mypy
@@ -49,7 +51,7 @@ test: $(MORE) $(if $(CI),browser)          ## style, types, unit tests, examples
 notebooks: $(READY)       ## execute every lesson again, in place
 	$(BIN)/python -m dev.notebooks
 
-site: $(MORE)             ## the course as a web page, in build/site; then all its pages, links and sliders are tried
+site: $(MORE)             ## the course as a web page, in build/site, with its tests: five to ten minutes on two cores
 	$(BIN)/python -m dev.web.build
 	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load tests/dev/test_site.py tests/dev/test_page.py
 
@@ -90,5 +92,8 @@ $(MORE): requirements-more.txt $(READY)
 	@touch $(MORE)
 
 clean:                    ## remove the environment and what was built; lessons, answers and points stay
-	rm -rf $(VENV) *.egg-info .pytest_cache .ruff_cache .mypy_cache .hypothesis
-	[ ! -d build ] || find build -mindepth 1 -maxdepth 1 ! -name assignment ! -name class -exec rm -rf {} +
+	@[ ! -d $(VENV) ] || echo "removing $(VENV): this may take a minute"
+	@rm -rf $(VENV) *.egg-info .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	@[ ! -d build ] || echo "removing what was built"
+	@[ ! -d build ] || find build -mindepth 1 -maxdepth 1 ! -name assignment ! -name class -exec rm -rf {} +
+	@[ ! -d build ] || rmdir build 2> /dev/null || echo "build/ keeps what belongs to a class: $$(ls build | tr '\n' ' ')"

@@ -1,6 +1,6 @@
 """Execute lessons again, in place, so that doing it twice changes nothing.
 
-    python -m dev.notebooks                        all of notebooks/
+    python -m dev.notebooks                        all lessons that git knows
     python -m dev.notebooks notebooks/04-*.ipynb   some
 
 Each notebook runs in a fresh kernel. Kept are outputs and execution counts; dropped is what differs from run to run or
@@ -14,12 +14,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-FOLDER = Path(__file__).parent.parent / "notebooks"
-WIDGET = "application/vnd.jupyter.widget-view+json"
-METADATA = {
-    "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
-    "language_info": {"name": "python"},
-}
+from dev.lessons import FOLDER, METADATA, WIDGET, notebooks
 
 
 def execute(notebook, folder=FOLDER):
@@ -49,7 +44,7 @@ def tidy(notebook):
 
 
 def main(paths):
-    for path in paths or sorted(FOLDER.glob("*.ipynb")):
+    for path in paths or notebooks():
         notebook = nbformat.read(path, as_version=4)
         nbformat.write(tidy(execute(notebook)), path)
         print(Path(path).name)

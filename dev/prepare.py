@@ -24,6 +24,9 @@ Install one of these and give the command again. Debian, Ubuntu: sudo apt instal
 Windows, macOS: from python.org. With uv: uv python install 3.13, then make PYTHON=$(uv python find 3.13) course."""
 NO_VENV = """This Python ({}) cannot make environments: its module venv is not complete.
 On Debian and Ubuntu that is a package of its own: sudo apt install python3-venv. Then give the command again."""
+MAKING = "The environment in {} is being made: one to three minutes, this once."
+RENEWING = "The environment in {} is being brought up to date."
+ADDING = "{} more packages for the tests and the teachers' commands are being added to {}: one to three minutes."
 STOPPED = """The installation stopped. These are its last lines; all of them are in {}.
 
 {}
@@ -64,6 +67,12 @@ def complete(folder):
     return os.path.exists(os.path.join(folder, "ready")) and fits(version(python))
 
 
+def outdated(folder):
+    """Whether the lists of what the course needs are newer than the environment."""
+    made = os.path.getmtime(os.path.join(folder, "ready"))
+    return any(os.path.getmtime(os.path.join(ROOT, name)) > made for name in ("requirements.txt", "pyproject.toml"))
+
+
 def new_environment(folder, uv):
     """An empty environment, in place of whatever is in the folder."""
     python = suitable()
@@ -91,10 +100,10 @@ def follow(process, log, folder, wanted):
         with open(log, encoding="utf-8", errors="replace") as file:
             fetched = sum(line.startswith("Collecting ") for line in file)
         done = min(wanted, max(0, installed(folder) - before))
-        line = "installed {} of {} packages".format(done, wanted)
+        line = "installed {} of {} packages".format(done, wanted) if done else ""
         if fetched and not done:
             line = "fetched {} of {} packages".format(min(fetched, wanted), wanted)
-        if line != last and wanted > 1:
+        if line not in ("", last) and wanted > 1:
             print(("\r" if alive else "") + line + "   ", end="" if alive else "\n")
             sys.stdout.flush()
         last = line
@@ -122,22 +131,33 @@ def pins(path):
         return sum("==" in line for line in file)
 
 
+def say(text):
+    print(text)
+    sys.stdout.flush()
+
+
+def bring(folder, uv, more):
+    """Install what is missing, and say first what it is."""
+    name, new = os.path.basename(folder), not complete(folder)
+    if new:
+        new_environment(folder, uv)
+    if new or not more or outdated(folder):
+        say((MAKING if new else RENEWING).format(name))
+        install(folder, uv, ["--requirement", "requirements.txt"], pins("requirements.txt"))
+    for path in more:
+        say(ADDING.format(pins(path), name))
+        install(folder, uv, ["--requirement", path], pins(path))
+    install(folder, uv, ["--no-deps", "--editable", "."], 1)
+    open(os.path.join(folder, "ready"), "w", encoding="utf-8").close()
+    print("The environment is ready.")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("more", nargs="*", help="further files with requirements")
     parser.add_argument("--folder", default=os.path.join(ROOT, ".venv"))
     options = parser.parse_args()
-    folder, uv = os.path.abspath(options.folder), shutil.which("uv")
-    files = ["requirements.txt", *options.more]
-    if not complete(folder):
-        new_environment(folder, uv)
-    print("The environment in {} is being prepared: one to three minutes, this once.".format(os.path.basename(folder)))
-    sys.stdout.flush()
-    for path in files:
-        install(folder, uv, ["--requirement", path], pins(path))
-    install(folder, uv, ["--no-deps", "--editable", "."], 1)
-    open(os.path.join(folder, "ready"), "w", encoding="utf-8").close()
-    print("The environment is ready.")
+    bring(os.path.abspath(options.folder), shutil.which("uv"), options.more)
 
 
 if __name__ == "__main__":

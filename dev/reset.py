@@ -1,21 +1,13 @@
 """A lesson as it was when it came; what the learner had made of it is kept beside it: `make reset LESSON=05`."""
 
 import itertools
-import subprocess
 import sys
 
-from dev.update import OPEN, ROOT, git
+from dev.lessons import lessons, original
+from dev.update import OPEN
 
 NO_CLONE = """This folder was not made by `git clone`, so the original lesson is not in it.
 Fetch the course again: its lessons are as they came."""
-
-
-def original(path):
-    """The bytes of a file as the course has it: not the learner's, who may have made commits."""
-    course = git("merge-base", "HEAD", "@{upstream}", check=False) or "HEAD"
-    name = path.relative_to(ROOT).as_posix()
-    shown = subprocess.run(["git", "-C", ROOT, "show", f"{course}:{name}"], capture_output=True, check=False)
-    return shown.stdout if shown.returncode == 0 else sys.exit(NO_CLONE)
 
 
 def aside(path):
@@ -25,10 +17,10 @@ def aside(path):
 
 
 def main(number):
-    path = next((ROOT / "notebooks").glob(f"{number:0>2}-*.ipynb"), None)
+    path = next((path for path in lessons() if path.name.startswith(f"{number:0>2}-")), None)
     if path is None:
         sys.exit(f"There is no lesson {number}.")
-    new = original(path)
+    new = original(path) or sys.exit(NO_CLONE)
     if path.read_bytes() == new:
         print(f"{path.name} is as it came: nothing to reset.")
         return

@@ -13,6 +13,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
+from dev import lessons
 from dev.teaching import load
 
 ROOT = Path(__file__).parents[2]
@@ -36,10 +37,10 @@ def import_time(module, rounds=7):
     return statistics.median(times)
 
 
-def kernels(lessons=None):
+def kernels(chosen=None):
     """{lesson: megabytes} that a kernel has needed at most when a whole lesson has run in it; by default of all."""
-    paths = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
-    return {path.stem: most_memory(path) for path in paths if lessons is None or path.stem[:2] in lessons}
+    paths = lessons.lessons()
+    return {path.stem: most_memory(path) for path in paths if chosen is None or path.stem[:2] in chosen}
 
 
 def most_memory(path):

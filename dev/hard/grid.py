@@ -11,6 +11,7 @@ from pathlib import Path
 
 import nbformat
 
+from dev import lessons as course
 from dev.hard.line import Line
 from kflearn.ui import Playground
 from kflearn.ui.controls import Slider
@@ -23,7 +24,7 @@ SWEEP = "print(*(grid.everywhere(thing, {most}) for thing in grid.shown(globals(
 
 
 def lines(quick):
-    lessons = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+    lessons = course.lessons()
     lessons, most = (lessons[5:6], 20) if quick else (lessons, MOST)
     with ThreadPoolExecutor(KERNELS) as pool:
         found = list(pool.map(lambda path: attempt(path, most), lessons))

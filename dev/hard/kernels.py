@@ -21,6 +21,8 @@ from nbclient import NotebookClient
 ROOT = Path(__file__).parents[2]
 GUARD = Path(__file__).parent / "guard"
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+EXTRAS = "lessons", "lab"
+NEEDED = [*PROJECT["dependencies"], *(each for extra in EXTRAS for each in PROJECT["optional-dependencies"][extra])]
 
 
 class Machine(NamedTuple):
@@ -106,18 +108,18 @@ def python(which):
 
 def oldest_pins():
     """The lower ends of the ranges in pyproject.toml: "numpy>=2.2" gives "numpy==2.2.*"."""
-    return [re.sub(r"^([\w-]+)>=([\d.]+).*", r"\1==\2.*", each) for each in PROJECT["dependencies"]]
+    return [re.sub(r"^([\w-]+)>=([\d.]+).*", r"\1==\2.*", each) for each in NEEDED]
 
 
 def environment(python, pins=()):
     """The interpreter of an environment in build/ with the course and its dependencies, made if there is none yet."""
-    wanted = repr((version(python), sorted(PROJECT["dependencies"]), sorted(pins)))
+    wanted = repr((version(python), sorted(NEEDED), sorted(pins)))
     place = ROOT / "build" / f"environment-{hashlib.sha256(wanted.encode()).hexdigest()[:12]}"
     inside = place / "bin" / "python"
     if not (place / "ready").exists():
         shutil.rmtree(place, ignore_errors=True)
         subprocess.run([python, "-m", "venv", place], check=True)
-        install = [inside, "-m", "pip", "install", "--quiet", "--editable", ROOT, *pins]
+        install = [inside, "-m", "pip", "install", "--quiet", "--editable", f"{ROOT}[{','.join(EXTRAS)}]", *pins]
         subprocess.run(install, check=True, capture_output=True)
         (place / "ready").touch()
     return str(inside)

@@ -23,8 +23,9 @@ from nbclient.exceptions import DeadKernelError
 
 from dev.hard.kernels import ROOT, Machine, code_cells, environment, kernel, newest_python, oldest_pins, python
 from dev.hard.line import Line, none
+from dev.lessons import lessons
 
-LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+LESSONS = lessons()
 AT_ONCE = 2  # kernels beside each other
 PLAIN = "errors: only NameError of what was left out"
 FORGETFUL = {"hint()"}  # what gives more each time it is asked, as it should

@@ -8,9 +8,10 @@ import nbformat
 from IPython.core.inputtransformer2 import TransformerManager
 
 from dev.hard.line import none
+from dev.lessons import lessons
 
 ROOT = Path(__file__).parents[2]
-LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+LESSONS = lessons()
 MODULES = {"pickle", "marshal", "shelve", "dill", "joblib", "code", "runpy", "pty"}  # text or data made into code
 OUTSIDE = {"subprocess", "socket", "urllib", "requests", "http", "asyncio.subprocess", "ctypes", "multiprocessing"}
 NAMES = {"eval", "exec", "compile", "__import__", "get_ipython"}

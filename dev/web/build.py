@@ -28,6 +28,7 @@ from pathlib import Path
 
 import nbformat
 
+from dev import lessons as course
 from dev.web import about, card, frames, teaches
 
 ROOT = Path(__file__).parents[2]
@@ -229,8 +230,7 @@ def main():
     parser.add_argument("--only", help="the numbers of some lessons, such as 04,05", default="")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site")
     options = parser.parse_args()
-    lessons = sorted(NOTEBOOKS.glob("[0-9][0-9]-*.ipynb"))
-    lessons = [path for path in lessons if path.name[:2] in (options.only or path.name)]
+    lessons = [path for path in course.lessons() if path.name[:2] in (options.only or path.name)]
     from sphinx.cmd.build import build_main as sphinx
 
     with tempfile.TemporaryDirectory() as draft:

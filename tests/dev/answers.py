@@ -8,12 +8,13 @@ from pathlib import Path
 import nbformat
 from nbformat.v4 import new_code_cell
 
+from dev.lessons import lessons
 from dev.teaching.assignment import assignment
 from dev.teaching.fresh_copy import mark
 
 ROOT = Path(__file__).parents[2]
 
-LESSON = {path.name[:2]: path for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))}
+LESSON = {path.name[:2]: path for path in lessons()}
 ASKED = {
     "04": ["third_opinion", "fuse", "readings_needed", "published_claim"],
     "05": ["second_gain", "steady_gain", "is_unknown", "auto_start", "best_error"],

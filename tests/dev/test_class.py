@@ -11,9 +11,10 @@ import nbformat
 import pytest
 import yaml
 
+from dev.lessons import lessons
 from tests.dev.command import ROOT, run
 
-LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+LESSONS = lessons()
 GUIDE = (ROOT / "notebooks" / "teaching-guide.md").read_text(encoding="utf-8")
 
 
@@ -46,8 +47,9 @@ def conda_packages():
 
 def test_conda_and_pip_get_the_same_packages():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extras = project["optional-dependencies"]
     packages, python = conda_packages()
-    assert packages == sorted(project["dependencies"])
+    assert packages == sorted(project["dependencies"] + extras["lessons"] + extras["lab"])
     oldest, below = (int(minor) for minor in re.findall(r"3\.(\d+)", project["requires-python"]))
     assert oldest <= int(python.removeprefix("3.")) < below
 

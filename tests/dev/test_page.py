@@ -12,6 +12,7 @@ import nbformat
 import pytest
 from PIL import Image
 
+from dev import lessons as course
 from dev.lab import ROOT
 from dev.web import about, frames, teaches
 from tests.dev.web import BEARINGS, BUILT, FUSION, LESSONS, VOLTMETER, Page, build
@@ -130,7 +131,7 @@ def test_with_addresses_every_page_leads_there(known):
 
 
 def test_the_words_on_stored_outputs_are_for_jupyterlab_only(site):
-    for path in sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))[1:]:
+    for path in course.lessons()[1:]:
         first = nbformat.read(path, as_version=4).cells[0].source
         assert first.count(about.STORED) == 1
         assert about.without(about.STORED, first) == first.split(about.STORED)[0].rstrip(), (

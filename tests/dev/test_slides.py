@@ -7,10 +7,11 @@ import sys
 import nbformat
 import pytest
 
-from dev.lab import CHROMIUM, ROOT, browser
+from dev.lab import CHROMIUM, browser
+from dev.lessons import lessons
 from dev.teaching import slides
 
-LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+LESSONS = lessons()
 per_lesson = pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
 
 MEASURE = """() => Reveal.getSlides().map(slide => {

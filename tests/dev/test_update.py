@@ -9,6 +9,8 @@ from pathlib import Path
 import nbformat
 import pytest
 
+from dev.lessons import METADATA
+
 ROOT = Path(__file__).parents[2]
 LESSON = "notebooks/05-voltmeter.ipynb"
 
@@ -53,7 +55,7 @@ def course(tmp_path):
     folder = tmp_path / "course"
     (folder / "notebooks").mkdir(parents=True)
     (folder / "dev").mkdir()
-    for name in ("__init__", "update", "reset"):
+    for name in ("__init__", "lessons", "update", "reset"):
         shutil.copy(ROOT / "dev" / f"{name}.py", folder / "dev")
     write(folder, lesson(*OLD, run="1.60"))
     (folder / "README.md").write_text("read me\n")
@@ -199,6 +201,34 @@ def test_reset_gives_the_lesson_as_it_came(course, learner):
     assert "mine-05-voltmeter-2.ipynb" in call(learner, "reset", "05")
     assert "There is no lesson 99." in call(learner, "reset", "99", fails=True)
     assert "LESSON=05" in call(learner, "reset", fails=True)
+
+
+def test_the_tests_say_first_which_lessons_hold_somebodys_work(course, learner):
+    notebook = lesson(*OLD, run="1.60")
+    notebook.metadata.update(METADATA)
+    for number, cell in enumerate((cell for cell in notebook.cells if cell.cell_type == "code"), 1):
+        cell.execution_count = number
+    write(course, notebook)
+    commit(course)
+    call(learner, "update")
+    assert call(learner, "lessons") == ""
+    notebook.cells[1].source += "  # changed by whoever writes lessons"
+    write(learner, notebook)
+    assert call(learner, "lessons") == ""
+    work(learner)
+    shutil.copy(learner / LESSON, learner / "notebooks/05-voltmeter-Copy1.ipynb")
+    said = call(learner, "lessons", fails=True)
+    assert "05-voltmeter.ipynb\n" in said and "make reset LESSON=05" in said and "Copy" not in said
+    git(learner, "commit", "--all", "--quiet", "--message", "My work before an update")
+    assert call(learner, "lessons", fails=True) == said
+    call(learner, "reset", "05")
+    said = call(learner, "lessons")
+    assert "Not tested" in said and "05-voltmeter-Copy1.ipynb, mine-05-voltmeter.ipynb" in said
+    (learner / LESSON).write_text("{ broken")
+    assert "05-voltmeter.ipynb" in call(learner, "lessons", fails=True)
+    shutil.rmtree(learner / ".git")
+    said = call(learner, "lessons", fails=True)
+    assert "Fetch the course again" in said and "make reset" not in said
 
 
 def test_clear_writes_lessons_without_outputs(tmp_path):

@@ -3,12 +3,12 @@
 import json
 import re
 from importlib import import_module
-from pathlib import Path
 from pkgutil import iter_modules
 
 import pytest
 
 import kflearn.exercises
+from dev.lessons import notebooks
 from kflearn.exercises.engine import exercises_of
 from tests.exercises.soundness import assert_sound
 
@@ -17,7 +17,7 @@ LESSONS = [
     name for name in FOUND if name not in ("engine", "progress") and not name.startswith("_")
 ]  # a module of exercises a lesson
 EXERCISES = [each for name in LESSONS for each in exercises_of(import_module(f"kflearn.exercises.{name}"))]
-NOTEBOOKS = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
+NOTEBOOKS = notebooks()
 IMPORT = re.compile(r"^from kflearn\.exercises import (\w+)(?: as (\w+))?[ \t]*$", re.MULTILINE)
 
 

@@ -12,11 +12,12 @@ from urllib.parse import urlparse
 import nbformat
 import pytest
 
-from dev.notebooks import WIDGET, execute
+from dev.lessons import WIDGET, lessons
+from dev.notebooks import execute
 
 ROOT = Path(__file__).parents[2]
 
-LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]-*.ipynb"))
+LESSONS = lessons()
 per_lesson = pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
 
 SWEEP = """
