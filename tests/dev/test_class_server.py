@@ -68,7 +68,7 @@ def test_the_configuration_of_one_machine(tmp_path):
     assert "--KernelManager.transport_encryption=required" in found["args"], "at ports everybody could listen"
     assert found["url"].startswith("/git-pull?repo=https%3A%2F%2Fexample.org%2Fcourse.git&branch=main")
     assert found["url"].endswith("urlpath=lab%2Ftree%2Fkalman%2Fnotebooks%2F00-start-here.ipynb")
-    for name in ("jupyter_server_config.py", "labconfig/page_config.json"):
+    for name in ("jupyter_server_config.py", "labconfig/page_config.json", "labconfig/default_setting_overrides.json"):
         assert Path(found["env"]["JUPYTER_CONFIG_PATH"], name).exists()
     assert (tmp_path / "state").stat().st_mode & 0o077 == 0
     assert found["bare"] == [0, False, "/lab"], "without a list nobody may sign in"
@@ -157,3 +157,15 @@ def test_no_grading_buttons_and_no_pop_up_about_news(tmp_path, course):
         }
         assert "Table of Contents" in tabs
     assert set(met.values()) == {0 if course else 1}, met
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(CHROMIUM is None, reason="no chromium, chromium-browser or google-chrome on the PATH")
+def test_a_double_click_shows_a_text_as_it_is_meant_to_be_read(tmp_path):
+    notebook(tmp_path / "a.ipynb", "1 + 1")
+    (tmp_path / "appendix.md").write_text("# Cheat sheet\n\n$x^2$\n", encoding="utf-8")
+    with server(tmp_path) as url, browser() as chromium:
+        page = Lab(chromium, url, "a.ipynb").page
+        page.get_by_role("tab", name="File Browser").click()
+        page.locator(".jp-DirListing-item", has_text="appendix.md").dblclick()
+        page.locator(".jp-MarkdownViewer h1", has_text="Cheat sheet").wait_for(timeout=30_000)
