@@ -23,6 +23,7 @@ from pathlib import Path
 from urllib.parse import urlencode
 
 from jupyterhub.app import JupyterHub
+from jupyterhub.auth import PAMAuthenticator
 from jupyterhub.spawner import LocalProcessSpawner
 
 HERE = Path(__file__).resolve().parent
@@ -47,6 +48,24 @@ class ClassSpawner(LocalProcessSpawner):
         return before_the_server
 
 
+class ClassAuthenticator(PAMAuthenticator):
+    """Unix passwords, for the names of the lists alone. What the hub remembers of earlier lists gives no rights."""
+
+    async def add_user(self, user):
+        """No Unix account for a name that the hub remembers, or that somebody typed at /hub/admin."""
+        if user.name in self.allowed_users:
+            await super().add_user(user)
+        else:
+            self.log.warning("%s is on no list and cannot sign in.", user.name)
+
+    def is_admin(self, handler, authentication):
+        return authentication["name"] in self.admin_users  # False takes the rights of a former teacher away
+
+    async def refresh_user(self, user, handler=None):
+        """The same for browsers that are still signed in from before."""
+        return user.name in self.allowed_users and dict(name=user.name, admin=user.name in self.admin_users)
+
+
 def named(variable, otherwise):
     return os.environ.get(variable, otherwise)
 
@@ -68,15 +87,21 @@ c.JupyterHub.db_url = f"sqlite:///{state}/jupyterhub.sqlite"
 c.JupyterHub.cookie_secret_file = f"{state}/cookie_secret"
 c.ConfigurableHTTPProxy.pid_file = f"{state}/proxy.pid"
 
-# Who may sign in: Unix accounts with their passwords, of the names in the list. No one can register.
+# Who may sign in: Unix accounts with their passwords, of the names in the lists. No one can register. JupyterHub adds
+# teachers to a list of learners by itself, but not when that is empty; and it would go on letting everybody in whom it
+# has ever known, so that a name taken off the list would change nothing.
 learners = Path(named("CLASS_LEARNERS", HERE / "learners.txt"))
 names = learners.read_text(encoding="utf-8").splitlines() if learners.exists() else []
-c.JupyterHub.authenticator_class = "pam"
+teachers = set(named("CLASS_TEACHERS", "").split())
+c.JupyterHub.authenticator_class = ClassAuthenticator
 c.Authenticator.allow_all = False
-c.Authenticator.allowed_users = {name.strip() for name in names if name.strip() and name[0] != "#"}
-c.Authenticator.admin_users = set(named("CLASS_TEACHERS", "").split())
+c.Authenticator.allowed_users = {name.strip() for name in names if name.strip() and name[0] != "#"} | teachers
+c.Authenticator.admin_users = teachers
+c.Authenticator.allow_existing_users = False
+c.Authenticator.auth_refresh_strict = True  # also for tokens
 c.PAMAuthenticator.open_sessions = False
 c.LocalAuthenticator.create_system_users = named("CLASS_ACCOUNTS", "") == "create"
+c.LocalAuthenticator.add_user_cmd = ["adduser", "--quiet", "--gecos", "", "--disabled-password"]
 
 # A server each, in the learner's own home. Numerical libraries get one thread: thirty learners share the cores.
 c.JupyterHub.spawner_class = ClassSpawner

@@ -152,7 +152,14 @@ def fresh_copy(sheet, cells, kind):
     notebook.cells = [cell for _, cell in made]
     for number, cell in enumerate(notebook.cells):
         cell.id = f"cell-{number}"
-    return notebook, [name for name in sheet.answers if name not in chosen]
+    return notebook, lost(sheet, cells, kind)
+
+
+def lost(sheet, cells, kind):
+    """The names of the exercises for which the learner has no answer cell."""
+    cells = section(cells) if kind == "lesson" else cells
+    found = labels(sheet, cells, kind)
+    return [name for name in sheet.answers if name not in found]
 
 
 def repaired(sheet, cells):

@@ -5,13 +5,14 @@ import os
 import re
 import shutil
 import sys
+import unicodedata
 from collections import Counter
 from pathlib import Path
 
 import nbformat
 
 from dev.teaching.fresh_copy import Sheet, fresh_copy, mark
-from dev.teaching.hand_ins import NOTHING, plan
+from dev.teaching.hand_ins import NOTHING, UNUSABLE, plan
 
 STOPPED = "The cell stopped"
 CONFIG = """# `nbgrader` reads this file when it is called in this folder.
@@ -142,10 +143,9 @@ class Course:
 
 
 def source(job):
-    """For the tables: the file that was graded."""
-    if not job.attempt:
-        return ""
-    return job.attempt.file.name + (f" ({job.note})" if job.note else "")
+    """For the tables: the file that was graded, or those that could not be."""
+    note = UNUSABLE.lower() if job.unusable else job.note
+    return f"{job.files} ({note})" if job.files and note else job.files
 
 
 def student(learner):
@@ -193,17 +193,26 @@ def reason(log):
 # ---- the tables
 
 
+def columns(text):
+    """How wide a text is on the screen: a Chinese sign takes two columns, an accent of its own none."""
+    return sum(
+        0 if unicodedata.combining(sign) else 2 if unicodedata.east_asian_width(sign) in "WF" else 1 for sign in text
+    )
+
+
 def table(rows, jobs):
     """The printed table: a line for each learner, then one for each exercise with what was said most often."""
     asked = list(dict.fromkeys((row["lesson"], row["exercise"]) for row in rows))
     short = {each: f"{each[0]}.{[e for e in asked if e[0] == each[0]].index(each) + 1}" for each in asked}
     points = {(row["learner"], row["lesson"], row["exercise"]): row["points"] for row in rows}
     learners = list(dict.fromkeys(row["learner"] for row in rows))
-    width = max(map(len, ["learner", *learners]))
-    lines = [" ".join([f"{'learner':{width}}", *(f"{short[each]:>5}" for each in asked), "    sum"])]
+    width = max(map(columns, ["learner", *learners]))
+    lines = [" ".join(["learner" + " " * (width - 7), *(f"{short[each]:>5}" for each in asked), "    sum"])]
     for learner in learners:
         got = [points[learner, *each] for each in asked]
-        line = " ".join([f"{learner:{width}}", *(f"{one:5g}" for one in got), f"{sum(got):4g}/{len(got)}"])
+        line = " ".join(
+            [learner + " " * (width - columns(learner)), *(f"{one:5g}" for one in got), f"{sum(got):4g}/{len(got)}"]
+        )
         notes = [f"{job.sheet.number} {job.note}" for job in jobs if job.learner == learner and job.note]
         lines.append(f"{line}   {'; '.join(notes)}".rstrip())
     lines.append("")
@@ -217,17 +226,19 @@ def table(rows, jobs):
 
 
 def report(jobs, said):
-    """What was done with the files, and who handed in nothing: a sentence a line."""
+    """What was done with the files, and who handed in nothing, or nothing usable: a sentence a line."""
     number = sum(not job.trouble for job in jobs)
     from_lesson = sum(job.note == "from the lesson itself" for job in jobs)
     lines = [f"What was done: {number} graded, of these from the lesson itself: {from_lesson}."]
-    absent = {}
-    for job in jobs:
-        if job.trouble == NOTHING:
-            absent.setdefault(job.learner, []).append(job.sheet.number)
-    if absent:
-        who = [f"{learner} (lesson {', '.join(numbers)})" for learner, numbers in absent.items()]
-        lines.append(f"- Nothing was handed in by {', '.join(who)}.")
+    for begins, kind in (
+        ("Nothing was handed in by", [job for job in jobs if job.trouble == NOTHING]),
+        (f"{UNUSABLE}, by", [job for job in jobs if job.unusable]),
+    ):
+        numbers = {}
+        for job in kind:
+            numbers.setdefault(job.learner, []).append(job.sheet.number)
+        if who := [f"{learner} (lesson {', '.join(each)})" for learner, each in numbers.items()]:
+            lines.append(f"- {begins} {', '.join(who)}.")
     for job in jobs:
         if job.attempt and job.trouble:
             lines.append(f"- {job.learner}, lesson {job.sheet.number}: {job.attempt.file.name}. {job.trouble}")

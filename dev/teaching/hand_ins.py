@@ -1,23 +1,25 @@
 """What a class handed in: whose is each file, of which lesson, and which of several attempts counts.
 
 A folder has a folder for each learner, with files of any name at any depth. A notebook beside the folders belongs to
-whom its name says, before the first `_`. A notebook is recognised by its cells, not by its name. Of each notebook that
-is not graded there is a sentence that says why.
+whom its name says, before the first `_`. A notebook is recognised by its cells, not by its name. Of each file that is
+not graded there is a sentence that says why; only hidden files, such as checkpoints, are passed over.
 """
 
 import re
-from dataclasses import dataclass
+import unicodedata
+from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 
 from nbformat import NotebookNode, converter, reader
 
-from dev.teaching.fresh_copy import Sheet, mark, repaired
+from dev.teaching.fresh_copy import MODULE, Sheet, code, lost, mark, repaired
 
 PACKED = (".zip", ".tar", ".gz", ".tgz", ".7z", ".rar")
 TIE = 2  # s: archives and copies keep times no better than that
-BROKEN = "Not graded: the file is no notebook."
+UNUSABLE = "Handed in, not usable"
+PACKAGE = "is packed and was not opened. Unpack it and grade again."
 NOTHING = "Nothing was handed in."
 
 
@@ -63,14 +65,22 @@ class Job:
     learner: str
     sheet: Sheet
     attempt: Attempt | None = None
+    unusable: list = field(default_factory=list)  # what may have been meant for this lesson, in place of an attempt
     trouble: str = ""
 
     @property
     def note(self):
         """For the table: what was done, if it was not the usual."""
+        if self.unusable:
+            return f"{UNUSABLE.lower()}: {self.files}"
         if self.trouble:
-            return "nothing handed in" if self.trouble == NOTHING else "not graded"
+            return "not graded" if self.attempt else "nothing handed in"
         return "from the lesson itself" if self.attempt.kind == "lesson" else ""
+
+    @property
+    def files(self):
+        """The names of what was handed in."""
+        return ", ".join(file.name for file in ([self.attempt.file] if self.attempt else self.unusable))
 
 
 def plain(cell):
@@ -104,6 +114,12 @@ def is_notebook(file):
     return ".ipynb" in file.name.lower()  # browsers make .ipynb.txt and .ipynb.json of it
 
 
+def letters(name):
+    """For sorting people's names: capitals and accents make no difference, unless nothing else does."""
+    plain_letters = "".join(sign for sign in unicodedata.normalize("NFKD", name) if not unicodedata.combining(sign))
+    return plain_letters.casefold(), name
+
+
 def find(folder):
     """The learners, their files, and sentences about what lies beside the folders."""
     learners = {shown(path.name) for path in folder.iterdir() if path.is_dir() and not hidden(path.name)}
@@ -118,11 +134,13 @@ def find(folder):
             beside.append(owner(parts[0]))
             files.append(HandIn(beside[-1], path, parts[0]))
         elif path.suffix.lower() in PACKED:
-            said.append(f"{parts[0]} is packed and was not opened. Unpack it and grade again.")
+            said.append(f"{parts[0]} {PACKAGE}")
+        else:
+            said.append(f"{parts[0]} is no notebook and in no learner's folder. It was not used.")
     if beside:
-        whose = ", ".join(sorted(set(beside)))
+        whose = ", ".join(sorted(set(beside), key=letters))
         said.append(f"For files beside the folders, the file's name says whose they are. These learners are: {whose}.")
-    return sorted(learners | set(beside)), files, said
+    return sorted(learners | set(beside), key=letters), files, said
 
 
 # ---- which counts
@@ -169,6 +187,8 @@ def about(taken, attempts):
     if not taken.answered:
         said.append(f"{who}: nothing is answered in {taken.file.name}.")
     deleted, changed = repaired(taken.sheet, taken.file.cells) if taken.kind == "answers" else ([], [])
+    if gone := lost(taken.sheet, taken.file.cells, taken.kind):
+        said.append(f"{who}: no answer cell was found, as when it was deleted, for: {', '.join(gone)}.")
     if deleted:
         said.append(f"{who}: locked cells had been deleted and were put back: {', '.join(deleted)}.")
     if changed:
@@ -188,42 +208,44 @@ def plan(sheets, folder):
     jobs = []
     for learner in learners:
         mine = [file for file in files if file.learner == learner]
-        notebooks = [file for file in mine if is_notebook(file.path)]
-        used = []
+        tried = {sheet.number: attempts_at(sheet, mine) for sheet in sheets}
+        used = [each.file for attempts in tried.values() for each in attempts]
+        left = [file for file in mine if file not in used]
         for sheet in sheets:
-            attempts = attempts_at(sheet, notebooks)
-            taken = choose(attempts) if attempts else None
-            jobs.append(Job(learner, sheet, taken, "" if taken else missing(sheet, sheets, notebooks)))
-            said += about(taken, attempts) if taken else []
-            used += [each.file for each in attempts]
-        said += [unused(file) for file in notebooks if file not in used]
-        said += [unused(file) for file in mine if file not in notebooks and (is_packed(file) or not notebooks)]
+            if attempts := tried[sheet.number]:
+                taken = choose(attempts)
+                jobs.append(Job(learner, sheet, taken))
+                said += about(taken, attempts)
+            else:
+                jobs.append(without_attempt(learner, sheet, sheets, left))
+        said += [f"{learner}: {file.name} {useless(file)}" for file in left]
     return jobs, said
 
 
-def attempts_at(sheet, notebooks):
-    found = [Attempt(file, sheet, sheet.kind(file.cells)) for file in notebooks if file.cells is not None]
+def attempts_at(sheet, files):
+    notebooks = [file for file in files if is_notebook(file.path) and file.cells is not None]
+    found = [Attempt(file, sheet, sheet.kind(file.cells)) for file in notebooks]
     return [each for each in found if each.kind]
 
 
-def missing(sheet, sheets, notebooks):
-    """Why there is nothing to grade. A broken file may be that of a lesson, unless its name has another's number."""
-    known = {each.number for each in sheets}
-    for file in notebooks:
+def without_attempt(learner, sheet, sheets, left):
+    """There is nothing to grade. A useless file may be meant for a lesson, unless its name has another's number."""
+    known, meant = {each.number for each in sheets}, []
+    for file in left:
         named = [number for number in re.findall(r"(?<!\d)\d\d(?!\d)", file.path.name) if number in known]
-        if file.cells is None and named[:1] in ([], [sheet.number]):
-            return BROKEN
-    return NOTHING
+        if named[:1] in ([], [sheet.number]):
+            meant.append(file)
+    reasons = " ".join(f"{file.name} {useless(file)}" for file in meant)
+    return Job(learner, sheet, None, meant, f"{UNUSABLE}: {reasons}" if meant else NOTHING)
 
 
-def is_packed(file):
-    return file.path.suffix.lower() in PACKED
-
-
-def unused(file):
-    """A sentence about a file that is not used at all."""
-    if is_packed(file):
-        return f"{file.learner}: {file.name} is packed and was not opened. Unpack it and grade again."
+def useless(file):
+    """Why a file is not used at all; the end of a sentence that begins with its name."""
+    if file.path.suffix.lower() in PACKED:
+        return PACKAGE
     if not is_notebook(file.path) or file.cells is None:
-        return f"{file.learner}: {file.name} is no notebook. It was not used."
-    return f"{file.learner}: {file.name} has no exercise of this assignment. It was not used."
+        return "is no notebook. It was not used."
+    if not file.cells:
+        return "has no cells. It was not used."
+    other = "exercises of another lesson" if MODULE.search(code(file.cells)) else "no exercise of this assignment"
+    return f"has {other}. It was not used."

@@ -37,6 +37,7 @@ ROOM, WIDE = 650, 1184  # px of a slide of 1280 × 720 that can be filled
 LETTERS = 88  # in a line of text
 SMALL = 96  # code with a line longer than this is set smaller
 LIVE_ONLY = "*The outputs below are stored"  # begins a paragraph that means the notebook
+BY_HAND = r"(?m)\s*\bNow (?:move|you; press) [^.\n]*[.:]$"  # means sliders; slides have a picture in their place
 
 
 class Piece(NamedTuple):
@@ -57,6 +58,7 @@ class Piece(NamedTuple):
 
 def paragraphs(text):
     """The parts of a text cell that stay together: paragraphs, lists, tables, formulas, headings."""
+    text = re.sub(r"\b(Then t|T)ry three things", "In the notebook, try three things", re.sub(BY_HAND, "", text))
     return [part for part in re.split(r"\n\n+", text) if part.strip() and not part.startswith(LIVE_ONLY)]
 
 

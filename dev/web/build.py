@@ -171,6 +171,17 @@ def maths_font(path):
         subset.save_font(whole, path, options)
 
 
+def without_heading(folder):
+    """What keeps a page from being made, found before minutes are spent on pictures: a sentence, or an empty string."""
+    for path in sorted([*folder.glob("*.md"), *folder.glob("[0-9][0-9]-*.ipynb")]):
+        is_text = path.suffix == ".md"
+        text = path.read_text(encoding="utf-8") if is_text else nbformat.read(path, as_version=4).cells[0].source
+        if not re.match(r"# +\S", text):
+            where = "line" if is_text else "cell"
+            return f"{folder.name}/{path.name} needs a heading in its first {where}, such as: # News"
+    return ""
+
+
 def prepare(lessons, folder):
     """Write everything Sphinx needs into a folder."""
     notebooks = [nbformat.read(path, as_version=4) for path in lessons]
@@ -231,6 +242,8 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site")
     options = parser.parse_args()
     lessons = [path for path in course.lessons() if path.name[:2] in (options.only or path.name)]
+    if trouble := without_heading(NOTEBOOKS):
+        sys.exit(trouble)
     from sphinx.cmd.build import build_main as sphinx
 
     with tempfile.TemporaryDirectory() as draft:

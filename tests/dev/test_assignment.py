@@ -175,6 +175,7 @@ def test_the_points_of_the_eleven(eleven):
     assert sums == SUMS
     assert files["jan", "05"] == f"jan/{LESSON['05'].name} (from the lesson itself)"
     assert files["kim", "04"] == "kim_04-answers.ipynb" and files["kim", "05"] == ""
+    assert files["eva", "04"] == "eva/04-answers.ipynb (handed in, not usable)"
     assert files["fay", "05"] == "fay/my lesson five.ipynb"
 
 
@@ -189,7 +190,7 @@ def test_what_the_eleven_are_told(eleven):
     assert said["cem", "third_opinion"] == missed and said["cem", "fuse"].startswith("✓ Right.")
     assert said["dan", "readings_needed"] == "The cell stopped at the time limit."
     assert said["dan", "second_gain"] == said["eva", "second_gain"] == "Nothing was handed in."
-    assert said["eva", "fuse"] == "Not graded: the file is no notebook."
+    assert said["eva", "fuse"] == "Handed in, not usable: eva/04-answers.ipynb is no notebook. It was not used."
     for name, variable in (("third_opinion", "answer_third_opinion"), ("fuse", "fuse")):
         stopped = f"The cell stopped with NameError: name '{variable}' is not defined."
         assert said["fay", name] == f"{stopped} The check looks for the name {variable}: was it renamed?"
@@ -208,15 +209,18 @@ def test_what_is_printed_of_the_eleven(eleven):
     table = printed.partition("\nlearner")[2]
     assert re.search(r"^ben +0 +0 +0 +1 +0 +0 +0 +0 +0 +1/9   05 nothing handed in$", table, re.MULTILINE)
     assert re.search(r"^jan .* 9/9   04 from the lesson itself; 05 from the lesson itself$", table, re.MULTILINE)
-    assert re.search(r"^eva .* 0/9   04 not graded; 05 nothing handed in$", table, re.MULTILINE)
+    useless = "04 handed in, not usable: eva/04-answers.ipynb; 05 nothing handed in"
+    assert re.search(rf"^eva .* 0/9   {useless}$", table, re.MULTILINE)
     assert "04.2 fuse: 7 of 11 right" in table
     lines = table.partition("What was done:")[2].splitlines()
     assert lines[0] == " 15 graded, of these from the lesson itself: 2."
-    absent = [f"{name} (lesson 05)" for name in ("ben", "cem", "dan", "eva", "ida", "kim")]
+    absent = [f"{name} (lesson 05)" for name in ("ben", "cem", "dan", "eva", "kim")]
+    assert lines[2] == "- Handed in, not usable, by eva (lesson 04), ida (lesson 05)."
     assert lines[1] == f"- Nothing was handed in by {', '.join(absent)}."
     for about in [
         "For files beside the folders, the file's name says whose they are. These learners are: kim.",
         "eva: eva/04-answers.ipynb is no notebook. It was not used.",
+        "cem, lesson 04: no answer cell was found, as when it was deleted, for: third_opinion.",
         "cem, lesson 04: locked cells had been deleted and were put back: points-fuse.",
         "gus, lesson 04: locked cells had been changed and were graded as handed out: points-fuse.",
         "hal, lesson 04: hal/04-answers.ipynb was set aside: nothing is answered in it, though it is newer.",

@@ -37,9 +37,10 @@ os.environ["CLASS_LEARNERS"] = "none"
 bare = PyFileConfigLoader("jupyterhub_config.py", path="class").load_config()
 found = dict(
     bare=[len(bare.Authenticator.allowed_users), bare.Authenticator.allow_all, bare.Spawner.default_url],
-    unknown=unknown, bind=hub.bind_url, authenticator=hub.authenticator_class.__name__, limits=limits,
+    unknown=unknown, bind=hub.bind_url, authenticator=hub.authenticator_class.__mro__[1].__name__, limits=limits,
     all=config.Authenticator.allow_all, allowed=sorted(config.Authenticator.allowed_users),
     accounts=config.LocalAuthenticator.create_system_users, spawner=hub.spawner_class.__mro__[1].__name__,
+    account=config.LocalAuthenticator.add_user_cmd,
     home=one.notebook_dir, memory=one.mem_limit, args=one.args, url=one.default_url, env=one.environment,
 )
 print(json.dumps(found))
@@ -59,6 +60,7 @@ def test_the_configuration_of_one_machine(tmp_path):
     assert found["bind"].startswith("http://127.0.0.1:8000")
     assert found["authenticator"] == "PAMAuthenticator" and found["spawner"] == "LocalProcessSpawner"
     assert not found["all"] and not found["accounts"] and found["allowed"] == ["ada", "ben"]
+    assert found["account"][-3:] == ["--gecos", "", "--disabled-password"], "no quotation marks as a full name"
     assert found["home"] == "~" and found["memory"] == 2**31
     assert found["limits"] == [str(2**31), str(0o077)]
     assert "--MappingKernelManager.cull_idle_timeout=1800" in found["args"]
@@ -66,10 +68,50 @@ def test_the_configuration_of_one_machine(tmp_path):
     assert "--KernelManager.transport_encryption=required" in found["args"], "at ports everybody could listen"
     assert found["url"].startswith("/git-pull?repo=https%3A%2F%2Fexample.org%2Fcourse.git&branch=main")
     assert found["url"].endswith("urlpath=lab%2Ftree%2Fkalman%2Fnotebooks%2F00-start-here.ipynb")
-    for name in ("jupyter_server_config.py", "labconfig/page_config.json"):
+    for name in ("jupyter_server_config.py", "labconfig/page_config.json", "labconfig/default_setting_overrides.json"):
         assert Path(found["env"]["JUPYTER_CONFIG_PATH"], name).exists()
     assert (tmp_path / "state").stat().st_mode & 0o077 == 0
     assert found["bare"] == [0, False, "/lab"], "without a list nobody may sign in"
+
+
+SIGN_IN = """
+import asyncio, sys
+from traitlets.config import PyFileConfigLoader
+from jupyterhub import orm
+from jupyterhub.app import JupyterHub
+
+async def start():
+    hub = JupyterHub(config=PyFileConfigLoader("jupyterhub_config.py", path="class").load_config())
+    hub.init_db()
+    who = hub.authenticator = hub.authenticator_class(parent=hub, db=hub.db)
+    await hub.init_role_creation()
+    await hub.init_users()
+    for name in sys.argv[1:]:
+        may = await who.refresh_user(orm.User.find(hub.db, name)) if orm.User.find(hub.db, name) else None
+        is_teacher = who.is_admin(None, {"name": name})
+        assert bool(may) == who.check_allowed(name) and (not may or may["admin"] == is_teacher)
+        print(name, "teacher" if is_teacher else "learner" if may else "out")
+
+asyncio.run(start())
+"""
+
+
+@LINUX
+def test_the_lists_say_who_may_sign_in_whatever_the_hub_remembers(tmp_path):
+    """The hub starts again and again with the same database. Its people have accounts on every Linux."""
+    learners, people = tmp_path / "learners.txt", ["daemon", "nobody", "root"]
+    settings = dict(CLASS_STATE=str(tmp_path / "state"), CLASS_LEARNERS=str(learners), CLASS_REPOSITORY="")
+    for listed, teachers, expected in [
+        (None, "nobody", ["out", "teacher", "out"]),
+        ("daemon\nroot\n", "nobody", ["learner", "teacher", "learner"]),
+        ("root\n", "nobody", ["out", "teacher", "learner"]),
+        ("nobody\n", "daemon", ["teacher", "learner", "out"]),
+        ("", "", ["out", "out", "out"]),
+    ]:
+        if listed is not None:
+            learners.write_text(listed, encoding="utf-8")
+        printed = run("-c", SIGN_IN, *people, **settings, CLASS_TEACHERS=teachers)
+        assert printed.split() == [word for pair in zip(people, expected, strict=True) for word in pair]
 
 
 def test_the_configuration_is_python_and_says_its_settings():
@@ -115,3 +157,15 @@ def test_no_grading_buttons_and_no_pop_up_about_news(tmp_path, course):
         }
         assert "Table of Contents" in tabs
     assert set(met.values()) == {0 if course else 1}, met
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(CHROMIUM is None, reason="no chromium, chromium-browser or google-chrome on the PATH")
+def test_a_double_click_shows_a_text_as_it_is_meant_to_be_read(tmp_path):
+    notebook(tmp_path / "a.ipynb", "1 + 1")
+    (tmp_path / "appendix.md").write_text("# Cheat sheet\n\n$x^2$\n", encoding="utf-8")
+    with server(tmp_path) as url, browser() as chromium:
+        page = Lab(chromium, url, "a.ipynb").page
+        page.get_by_role("tab", name="File Browser").click()
+        page.locator(".jp-DirListing-item", has_text="appendix.md").dblclick()
+        page.locator(".jp-MarkdownViewer h1", has_text="Cheat sheet").wait_for(timeout=30_000)

@@ -7,7 +7,7 @@ import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 
 from dev.teaching.fresh_copy import Sheet, adapted, fresh_copy, makes, mark
-from dev.teaching.hand_ins import BROKEN, NOTHING, find, owner, plan
+from dev.teaching.hand_ins import NOTHING, find, owner, plan
 from tests.dev.answers import ASKED, LESSON, answered, by_name, release, save, stripped, the_lesson, without
 
 
@@ -47,7 +47,8 @@ def test_what_is_found_and_what_is_passed_over(tmp_path):
     assert learners == ["ada", "ben", "cem", "kim"]
     names = [file.name for file in files]
     assert names == ["ada/deep/er/a b (1).ipynb", "ben/answers.zip", "ben/notes.txt", "kim_x.ipynb"]
-    assert len(said) == 2 and "all.zip is packed" in said[0] and said[1].endswith("These learners are: kim.")
+    assert len(said) == 3 and "all.zip is packed" in said[0] and said[2].endswith("These learners are: kim.")
+    assert said[1] == "readme.txt is no notebook and in no learner's folder. It was not used."
     _, said = plan([], tmp_path)
     assert "ben: ben/answers.zip is packed and was not opened. Unpack it and grade again." in said
     assert "ben: ben/notes.txt is no notebook. It was not used." in said
@@ -169,6 +170,14 @@ def test_a_deleted_answer_is_missed_and_a_retyped_one_is_found(sheets):
     assert by_name(copy)["fuse"].source == notebook.cells[3].source
 
 
+def test_a_deleted_answer_is_named(sheets, tmp_path):
+    save(without(answered("04"), "third_opinion", "points-third_opinion"), tmp_path, "cem/a.ipynb")
+    assert plan(sheets[:1], tmp_path)[1] == [
+        "cem, lesson 04: no answer cell was found, as when it was deleted, for: third_opinion.",
+        "cem, lesson 04: locked cells had been deleted and were put back: points-third_opinion.",
+    ]
+
+
 def chosen(sheet, folder):
     """Which file counts, and the sentences about all of a learner's files."""
     jobs, said = plan([sheet], folder)
@@ -219,11 +228,15 @@ def test_a_broken_file_is_told_of(sheets, tmp_path, text):
     (tmp_path / "eva").mkdir()
     (tmp_path / "eva" / "homework.ipynb").write_text(text, encoding="utf-8")
     jobs, said = plan(sheets, tmp_path)
-    assert [job.trouble for job in jobs] == [BROKEN] * 2
+    assert [job.trouble for job in jobs] == [useless("eva/homework.ipynb", "is no notebook")] * 2
     assert "eva: eva/homework.ipynb is no notebook. It was not used." in said
     (tmp_path / "eva" / "homework.ipynb").rename(tmp_path / "eva" / "05-answers (10).ipynb")
     jobs, _ = plan(sheets, tmp_path)
-    assert [job.trouble for job in jobs] == [NOTHING, BROKEN]
+    assert [job.trouble for job in jobs] == [NOTHING, useless("eva/05-answers (10).ipynb", "is no notebook")]
+
+
+def useless(name, why):
+    return f"Handed in, not usable: {name} {why}. It was not used."
 
 
 def test_odd_metadata_does_no_harm(sheets, tmp_path):

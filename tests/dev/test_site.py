@@ -5,16 +5,36 @@
 
 import json
 import re
+import sys
 from urllib.parse import unquote, urlsplit
 
+import nbformat
 import numpy as np
 import pytest
+from nbformat.v4 import new_markdown_cell, new_notebook
 
-from dev.web import frames
+from dev.web import build, frames
 from kflearn.ui import Playground, choice, log_slider, slider
 from tests.dev.web import FUSION, LESSONS, VOLTMETER
 
 pytestmark = pytest.mark.timeout(300)  # half a minute on an idle machine; less when the pictures are in build/frames
+
+
+# ---- before anything is built
+
+
+def test_a_missing_heading_is_told_in_one_sentence(tmp_path, monkeypatch):
+    (notebooks := tmp_path / "notebooks").mkdir()
+    (notebooks / "appendix.md").write_text("# Appendix\n", encoding="utf-8")
+    assert build.without_heading(notebooks) == "" == build.without_heading(build.NOTEBOOKS)
+    nbformat.write(new_notebook(cells=[new_markdown_cell("Mine")]), notebooks / "23-mine.ipynb")
+    assert "notebooks/23-mine.ipynb needs a heading in its first cell" in build.without_heading(notebooks)
+    (notebooks / "notice.md").write_text("No class on Friday.\n", encoding="utf-8")
+    (notebooks / "23-mine.ipynb").unlink()
+    monkeypatch.setattr(build, "NOTEBOOKS", notebooks)
+    monkeypatch.setattr(sys, "argv", ["build.py"])
+    with pytest.raises(SystemExit, match=r"^notebooks/notice.md needs a heading in its first line, such as: # News$"):
+        build.main()
 
 
 # ---- the pictures of a playground

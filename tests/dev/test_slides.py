@@ -52,6 +52,8 @@ def test_each_piece_has_its_place(path):
     assert all(sum(piece.height for piece in page) <= slides.ROOM for page in pages)
     assert not any(piece.begins for page in pages for piece in page[1:]), "a heading begins a slide"
     assert not any("stored from an earlier run. Run" in piece.cell.source for piece in pieces)
+    text = " ".join(piece.cell.source for piece in pieces if piece.cell.cell_type == "markdown")
+    assert not re.search(r"Now you; press|Now move|Tab to a slider|(Then t|T)ry three", text), "slides have no sliders"
 
 
 @per_lesson

@@ -1,0 +1,74 @@
+"""Collect a class's answers from the learners' homes of a class server, for grading. Only root can do it:
+
+    python -m dev.teaching.collect grading             into the home of the account grading: answers/LEARNER
+
+Taken are all files named …-answers….ipynb below kalman, with their times. They are read as the learner, so that nobody
+can hand in a link to somebody else's file, and written as the account that will grade them. The next collection
+overwrites them and removes nothing. Files of 20 MB and more are left out.
+"""
+
+import argparse
+import os
+import pwd
+import subprocess
+import sys
+from pathlib import Path
+
+LISTED = Path(__file__).parents[2] / "class" / "learners.txt"
+FIND = ["find", "kalman", "-name", ".*", "-prune", "-o", "-type", "f", "-size", "-20M", "-name", "*-answers*.ipynb"]
+PACK = ["tar", "--create", "--dereference", "--hard-dereference", "--null", "--no-recursion", "--files-from=-"]
+UNPACK = ["tar", "--extract", "--no-same-owner", "--no-same-permissions"]
+
+
+def run_as(account, command, given=b""):
+    """Run a command in an account's home, with its rights alone; how it ended and what it wrote."""
+    rights = dict(user=account.pw_uid, group=account.pw_gid, extra_groups=[], umask=0o077)
+    env = {"PATH": "/usr/bin:/bin", "HOME": account.pw_dir, "LANG": "C.UTF-8"}
+    enter = ["env", f"--chdir={account.pw_dir}"]  # with these rights, not with root's
+    return subprocess.run([*enter, *command], cwd="/", env=env, input=given, capture_output=True, **rights)
+
+
+def collect(learner, grader, folder="answers"):
+    """Copy a learner's files; how many."""
+    names = run_as(learner, [*FIND, "-print0"]).stdout
+    if not names:
+        return 0
+    packed = run_as(learner, PACK, names).stdout
+    target = f"{grader.pw_dir}/{folder}/{learner.pw_name}"
+    run_as(grader, ["mkdir", "--parents", target])
+    if run_as(grader, [*UNPACK, f"--directory={target}"], packed).returncode:
+        sys.exit(f"{grader.pw_name} could not write {learner.pw_name}'s files into {target}.")
+    return names.count(b"\0")
+
+
+def accounts(path):
+    """The accounts of a list of learners. (accounts, names that have none)"""
+    lines = [line.strip() for line in path.read_text(encoding="utf-8").splitlines()]
+    names = [line.lower() for line in lines if line and not line.startswith("#")]
+    known = {each.pw_name: each for each in pwd.getpwall()}
+    return [known[name] for name in names if name in known], [name for name in names if name not in known]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("account", help="the account that will grade, such as grading")
+    parser.add_argument("--learners", type=Path, default=LISTED, help="the list of names (class/learners.txt)")
+    options = parser.parse_args()
+    if os.geteuid():
+        sys.exit("Only root can collect from the homes of others.")
+    try:
+        grader = pwd.getpwnam(options.account)
+    except KeyError:
+        sys.exit(f"There is no account {options.account}.")
+    if not options.learners.exists():
+        sys.exit(f"There is no list {options.learners}.")
+    learners, unknown = accounts(options.learners)
+    counts = {learner.pw_name: collect(learner, grader) for learner in learners}
+    print("\n".join(f"{name}: {number} files" for name, number in counts.items() if number))
+    if absent := [*(name for name, number in counts.items() if not number), *unknown]:
+        print(f"No file from: {', '.join(absent)}.")
+    print(f"The files are in {grader.pw_dir}/answers.")
+
+
+if __name__ == "__main__":
+    main()
