@@ -49,7 +49,8 @@ from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
 from .filters.smoothing import rts_smoother
 from .filters.square_root import square_root_kalman_filter
-from .filters.steps import correct, kalman_step, predict, start_from
+from .filters.start import start_from
+from .filters.steps import correct, kalman_step, predict
 from .filters.table import Row, settings
 from .filters.two_filter import two_filter_smoother
 from .models.gaussian import Gaussian
@@ -65,13 +66,13 @@ __version__ = "0.2.0"  # said here only: pyproject.toml, lesson 0 and the web pa
 
 # A new filter is a function in `filters`, and here its import, its name below, and its row; the tests do the rest.
 FILTERS = (
-    Row(kalman_filter, "linear"),
-    Row(square_root_kalman_filter, "linear"),
-    Row(schmidt_kalman_filter, "linear", smoothed=False, optional=settings(considered=[1])),
-    Row(extended_kalman_filter, "both"),
-    Row(unscented_kalman_filter, "both", optional=settings(alpha=0.5, beta=1.0, kappa=0.5)),
-    Row(cubature_kalman_filter, "both"),
-    Row(linearized_kalman_filter, "both"),
+    Row(kalman_filter, "linear", optional=settings(gate=0.5)),
+    Row(square_root_kalman_filter, "linear", optional=settings(gate=0.5)),
+    Row(schmidt_kalman_filter, "linear", smoothed=False, optional=settings(considered=[1], gate=0.5)),
+    Row(extended_kalman_filter, "both", optional=settings(gate=0.5)),
+    Row(unscented_kalman_filter, "both", optional=settings(alpha=0.5, beta=1.0, kappa=0.5, gate=0.5)),
+    Row(cubature_kalman_filter, "both", optional=settings(gate=0.5)),
+    Row(linearized_kalman_filter, "both", optional=settings(gate=0.5)),
     Row(
         adaptive_kalman_filter,
         "both",

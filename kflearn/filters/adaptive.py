@@ -9,7 +9,7 @@ from ..core.matrices import congruence, step_matrix, symmetric
 from ..models import checks as check
 from ..models.arguments import check_model, check_series
 from ..results.track import StackedSteps, Track, stack_in_time
-from .moments import check_through, linearize
+from .moments import check_through, linearize, refuse_negative
 from .steps import at_step, condition, expected_measurement, predicted_belief, starting_belief
 
 LONGEST_WINDOW = 1_000_000
@@ -90,7 +90,8 @@ def adaptive_kalman_filter(
         C, ready = innovations.take(innovation)
         if adapt == "R":
             R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R), R)
-        belief, gain, innovation = condition(predicted, expected, innovation, R, k)
+        belief, innovation, gain, _ = condition(predicted, expected, innovation, R, k)
+        refuse_negative("P⁺", belief.cov, through, k)
         if adapt == "Q":
             faster = _growth(congruence(gain, C - innovation.cov)[0], Q, predicted.cov, window)
             alpha = np.where(ready, np.clip(alpha * faster, floor, 1 / floor), alpha)
@@ -98,7 +99,7 @@ def adaptive_kalman_filter(
     predicted, filtered, innovation, *matrices = zip(*steps, strict=True)
     gain, R, Q = (np.stack(matrix, -3) for matrix in matrices)
     later = StackedSteps(predicted, innovation)
-    return AdaptiveTrack(stack_in_time(filtered), gain, model, later, u, None, R, Q)
+    return AdaptiveTrack(stack_in_time(filtered), gain, model, later, u, R=R, Q=Q)
 
 
 def _checked(window, floor, adapt):

@@ -201,13 +201,13 @@ def _step(bank, beliefs, z, u, k, through):
     """Every model predicts and corrects: beliefs (M, ..., n) and log-likelihoods (M, ...)."""
     if isinstance(bank, LinearModel):
         predicted = predicted_belief(bank, beliefs, u, k, linearize)
-        after, _, innovation = corrected_belief(bank, predicted, z, k, linearize)
-        return after, scores(innovation)[1]
+        made = corrected_belief(bank, predicted, z, k, linearize)
+        return made.belief, scores(made.innovation)[1]
     parts = []
     for model, mean, cov in zip(bank, beliefs.mean, beliefs.cov, strict=True):
         predicted = predicted_belief(model, unchecked_gaussian(mean, cov), u, k, through)
-        after, _, innovation = corrected_belief(model, predicted, z, k, through)
-        parts.append((after.mean, after.cov, scores(innovation)[1]))
+        made = corrected_belief(model, predicted, z, k, through)
+        parts.append((made.belief.mean, made.belief.cov, scores(made.innovation)[1]))
     means, covs, logs = (np.stack(part) for part in zip(*parts, strict=True))
     return unchecked_gaussian(means, covs), logs
 
