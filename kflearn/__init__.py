@@ -24,11 +24,11 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     imm_filter                  several, of both     MultipleModelTrack  no
     mmae_filter                 several, of both     MultipleModelTrack  no
 
-Step by step: predict, correct, kalman_step, start_from; the ways through a function: linearize, unscented, cubature.
-Smoothers: rts_smoother, two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval,
-rmse, report_card. Models: random_walk, constant_velocity, constant_acceleration, singer, cart; simulate,
-numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which
-raises RecordingError), bearings, homing, navigation, video, plots.
+Step by step: predict, correct, kalman_step, start_from; OnlineFilter, for readings as they come; the ways through a
+function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother. Is the filter honest? nees,
+nis, coverage, whiteness, chi_square_interval, rmse, report_card. Models: random_walk, constant_velocity,
+constant_acceleration, singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of
+the course: scenarios, recordings (which raises RecordingError), bearings, homing, navigation, video, plots.
 """
 
 from importlib import import_module
@@ -47,6 +47,7 @@ from .filters.kalman import (
 )
 from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
+from .filters.online import OnlineFilter
 from .filters.smoothing import rts_smoother
 from .filters.square_root import square_root_kalman_filter
 from .filters.start import start_from
@@ -104,6 +105,7 @@ __all__ = [
     "Gaussian",
     "LinearModel",
     "NonlinearModel",
+    "OnlineFilter",
     "RecordingError",
     "Track",
     "adaptive_kalman_filter",
