@@ -88,7 +88,8 @@ FILTERS = (
         MultipleModelTrack,
         smoothed=False,
         several=True,
-        needed=settings(transition=[[0.9, 0.1], [0.2, 0.8]], mode_probabilities=[0.5, 0.5]),
+        needed=settings(transition=[[0.9, 0.1], [0.2, 0.8]]),
+        optional=settings(mode_probabilities=[0.4, 0.6]),
     ),
     Row(
         mmae_filter,

@@ -21,7 +21,8 @@ class OnlineFilter:
     """A Kalman filter that is fed one reading at a time; for a nonlinear model the extended one.
 
     Its numbers are those of kalman_filter and extended_kalman_filter (to ten digits where Jacobians are taken by
-    differences). predict and correct do the same, but look at all their arguments anew each time. The letters are explained in `filters.kalman`.
+    differences). predict and correct do the same, but look at all their arguments anew each time. The letters are
+    explained in `filters.kalman`.
 
     Parameters
     ----------
