@@ -24,12 +24,12 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     imm_filter                  several, of both     MultipleModelTrack  no
     mmae_filter                 several, of both     MultipleModelTrack  no
 
-Step by step: predict, correct, kalman_step. Starts: start_from, diffuse_start. The ways through a function: linearize,
-unscented, cubature.
-Smoothers: rts_smoother, two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval,
-rmse, report_card. Models: random_walk, constant_velocity, constant_acceleration, singer, cart; simulate,
-numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which
-raises RecordingError), bearings, homing, navigation, video, plots.
+Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Starts: start_from,
+diffuse_start. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother,
+two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card.
+Models: random_walk, constant_velocity, constant_acceleration, singer, cart; simulate, numerical_jacobian. Angles: wrap,
+angle_difference, circular_mean. Of the course: scenarios, recordings (which raises RecordingError), bearings, homing,
+navigation, video, plots.
 """
 
 from importlib import import_module
@@ -49,9 +49,11 @@ from .filters.kalman import (
 )
 from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
+from .filters.online import OnlineFilter
 from .filters.smoothing import rts_smoother
 from .filters.square_root import square_root_kalman_filter
-from .filters.steps import correct, kalman_step, predict, start_from
+from .filters.start import start_from
+from .filters.steps import correct, kalman_step, predict
 from .filters.table import Row, settings
 from .filters.two_filter import two_filter_smoother
 from .models.gaussian import Gaussian
@@ -67,13 +69,13 @@ __version__ = "0.2.0"  # said here only: pyproject.toml, lesson 0 and the web pa
 
 # A new filter is a function in `filters`, and here its import, its name below, and its row; the tests do the rest.
 FILTERS = (
-    Row(kalman_filter, "linear"),
-    Row(square_root_kalman_filter, "linear"),
-    Row(schmidt_kalman_filter, "linear", smoothed=False, optional=settings(considered=[1])),
-    Row(extended_kalman_filter, "both"),
-    Row(unscented_kalman_filter, "both", optional=settings(alpha=0.5, beta=1.0, kappa=0.5)),
-    Row(cubature_kalman_filter, "both"),
-    Row(linearized_kalman_filter, "both"),
+    Row(kalman_filter, "linear", optional=settings(gate=0.5)),
+    Row(square_root_kalman_filter, "linear", optional=settings(gate=0.5)),
+    Row(schmidt_kalman_filter, "linear", smoothed=False, optional=settings(considered=[1], gate=0.5)),
+    Row(extended_kalman_filter, "both", optional=settings(gate=0.5)),
+    Row(unscented_kalman_filter, "both", optional=settings(alpha=0.5, beta=1.0, kappa=0.5, gate=0.5)),
+    Row(cubature_kalman_filter, "both", optional=settings(gate=0.5)),
+    Row(linearized_kalman_filter, "both", optional=settings(gate=0.5)),
     Row(
         adaptive_kalman_filter,
         "both",
@@ -88,7 +90,8 @@ FILTERS = (
         MultipleModelTrack,
         smoothed=False,
         several=True,
-        needed=settings(transition=[[0.9, 0.1], [0.2, 0.8]], mode_probabilities=[0.5, 0.5]),
+        needed=settings(transition=[[0.9, 0.1], [0.2, 0.8]]),
+        optional=settings(mode_probabilities=[0.4, 0.6]),
     ),
     Row(
         mmae_filter,
@@ -105,6 +108,7 @@ __all__ = [
     "Gaussian",
     "LinearModel",
     "NonlinearModel",
+    "OnlineFilter",
     "RecordingError",
     "Track",
     "adaptive_kalman_filter",

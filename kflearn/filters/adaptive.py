@@ -5,11 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.conditioning import divide_safely
+from ..core.frozen import freeze
 from ..core.matrices import congruence, step_matrix, symmetric
 from ..models import checks as check
 from ..models.arguments import check_model, check_series
 from ..results.track import StackedSteps, Track, stack_in_time
-from .moments import check_through, linearize
+from .moments import check_through, linearize, refuse_negative
 from .steps import at_step, condition, expected_measurement, predicted_belief, starting_belief
 
 LONGEST_WINDOW = 1_000_000
@@ -17,15 +18,20 @@ LONGEST_WINDOW = 1_000_000
 
 @dataclass(frozen=True, eq=False, repr=False)
 class AdaptiveTrack(Track):
-    """A Track and the noise it was made with: R (..., T, m, m) and Q (..., T, n, n), at each step."""
+    """A Track and the noise it was made with: R (..., T, m, m) and Q (..., T, n, n), at each step.
+
+    The filter goes on where it stopped when it is given its track as `initial`.
+    """
 
     R: np.ndarray | None = None
     Q: np.ndarray | None = None
+    _memory: tuple = ()  # at the end: the squares y yᵀ in the window (..., N, m, m), how many there were (...), α (...)
 
     def __post_init__(self):
         super().__post_init__()
         self._share("R")
         self._share("Q")
+        freeze(self._memory)
 
 
 def adaptive_kalman_filter(
@@ -39,7 +45,8 @@ def adaptive_kalman_filter(
     Parameters
     ----------
     model, z, initial, u
-        As in extended_kalman_filter, for LinearModel and NonlinearModel.
+        As in extended_kalman_filter, for LinearModel and NonlinearModel. `initial` may also be the track of the
+        readings before z, made by this filter: then its window of innovations, and α, are carried on.
     window : int
         The number N of innovations that are averaged, from 2. A step of which a component was not measured does not
         count.
@@ -77,10 +84,11 @@ def adaptive_kalman_filter(
     """
     check_model(model)
     check_through(through)
+    before, initial = (initial, initial[-1]) if isinstance(initial, AdaptiveTrack) else (None, initial)
     z, u, batch = check_series(model, z, initial, u)
     window, floor = _checked(window, floor, adapt)
-    innovations = Innovations(min(window, z.shape[-2] + 1), batch, model.m)  # a longer one is never full either
-    belief, alpha, steps = starting_belief(initial, batch), np.ones(batch), []
+    innovations, alpha = _carried_on(before, window, z.shape[-2], batch, model.m)
+    belief, steps = starting_belief(initial, batch), []
     for k in range(z.shape[-2]):
         R, Q = step_matrix(model.R, k), step_matrix(model.Q, k)
         if adapt == "Q":
@@ -90,7 +98,8 @@ def adaptive_kalman_filter(
         C, ready = innovations.take(innovation)
         if adapt == "R":
             R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R), R)
-        belief, gain, innovation = condition(predicted, expected, innovation, R, k)
+        belief, innovation, gain, _ = condition(predicted, expected, innovation, R, k)
+        refuse_negative("P⁺", belief.cov, through, k)
         if adapt == "Q":
             faster = _growth(congruence(gain, C - innovation.cov)[0], Q, predicted.cov, window)
             alpha = np.where(ready, np.clip(alpha * faster, floor, 1 / floor), alpha)
@@ -98,7 +107,23 @@ def adaptive_kalman_filter(
     predicted, filtered, innovation, *matrices = zip(*steps, strict=True)
     gain, R, Q = (np.stack(matrix, -3) for matrix in matrices)
     later = StackedSteps(predicted, innovation)
-    return AdaptiveTrack(stack_in_time(filtered), gain, model, later, u, None, R, Q)
+    memory = np.moveaxis(innovations.squares, 0, -3), innovations.count, alpha
+    return AdaptiveTrack(stack_in_time(filtered), gain, model, later, u, R=R, Q=Q, _memory=memory)
+
+
+def _carried_on(before, window, T, batch, m):
+    """The window of innovations and α at the start of T steps: empty and 1, or what a track had at its end."""
+    if before is None:
+        return Innovations(min(window, T + 1), batch, m), np.ones(batch)  # a longer window is never full either
+    squares, count, alpha = before._memory
+    if squares.shape[-1] != m:
+        raise ValueError(f"initial must be a track of {m} measured components like the model, got {squares.shape[-1]}")
+    innovations = Innovations(min(window, squares.shape[-3] + T + 1), batch, m)
+    kept = min(squares.shape[-3], len(innovations.squares))
+    squares = np.broadcast_to(squares[..., squares.shape[-3] - kept :, :, :], (*batch, kept, m, m))
+    innovations.squares[len(innovations.squares) - kept :] = np.moveaxis(squares, -3, 0)
+    innovations.count = np.broadcast_to(np.minimum(count, kept), batch)
+    return innovations, np.broadcast_to(alpha, batch)
 
 
 def _checked(window, floor, adapt):

@@ -11,7 +11,7 @@ from ..results.track import Track
 from .linear import covariance_step, linear_filter
 
 
-def schmidt_kalman_filter(model, z, initial, u=None, *, considered=()) -> Track:
+def schmidt_kalman_filter(model, z, initial, u=None, *, considered=(), gate=None) -> Track:
     """The consider filter: the gain has zero rows for the states `considered`.
 
     These states keep the mean that the model alone gives them, and their covariance with the others is kept up to date.
@@ -22,6 +22,8 @@ def schmidt_kalman_filter(model, z, initial, u=None, *, considered=()) -> Track:
         As in kalman_filter.
     considered : list of int
         The indices of the states that are not estimated.
+    gate : float, optional
+        As in kalman_filter.
 
     Returns
     -------
@@ -61,4 +63,4 @@ def schmidt_kalman_filter(model, z, initial, u=None, *, considered=()) -> Track:
     def choose(cross, S):
         return divide(cross, S) * estimated[:, None]
 
-    return linear_filter(model, z, initial, u, partial(covariance_step, choose=choose), through=None)
+    return linear_filter(model, z, initial, u, partial(covariance_step, choose=choose), through=None, gate=gate)

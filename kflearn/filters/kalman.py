@@ -24,12 +24,13 @@ from ..models import checks as check
 from ..models.arguments import check_model, check_series
 from ..models.state_space import LinearModel
 from ..results.track import StackedSteps, Track, stack_in_time
+from .gate import gate_limits
 from .linear import covariance_step, linear_filter
 from .moments import AlongPath, cubature, linearize, unscented
 from .steps import at_step, corrected_belief, predicted_belief, starting_belief
 
 
-def kalman_filter(model, z, initial, u=None) -> Track:
+def kalman_filter(model, z, initial, u=None, *, gate=None) -> Track:
     """The Kalman filter over a series, or over many series at once: eqs (5)–(9).
 
     Parameters
@@ -42,6 +43,9 @@ def kalman_filter(model, z, initial, u=None) -> Track:
         The belief one step before the first measurement; it may have batch axes too.
     u : array_like, optional
         Control inputs (..., T, p), or (T,) when p = 1; u[k] acts on the way to z[k].
+    gate : float, optional
+        A probability such as 0.99: a reading whose NIS is larger than this share of honest ones would have it is
+        refused, as if it had not come; `track.refused` tells which. Without it every reading is used.
 
     Returns
     -------
@@ -66,17 +70,17 @@ def kalman_filter(model, z, initial, u=None) -> Track:
     >>> print(f"{track.mean[-1, 0]:.3f} ± {track.std[-1, 0]:.3f}")
     2.000 ± 0.577
     """
-    return linear_filter(model, z, initial, u, covariance_step)
+    return linear_filter(model, z, initial, u, covariance_step, gate=gate)
 
 
-def extended_kalman_filter(model, z, initial, u=None) -> Track:
+def extended_kalman_filter(model, z, initial, u=None, *, gate=None) -> Track:
     """The extended Kalman filter: every function is replaced by its tangent at the latest estimate.
 
     Parameters
     ----------
     model : NonlinearModel or LinearModel
         Jacobians given, or else taken by differences.
-    z, initial, u
+    z, initial, u, gate
         As in kalman_filter.
 
     Returns
@@ -101,10 +105,10 @@ def extended_kalman_filter(model, z, initial, u=None) -> Track:
     >>> print(f"{track.mean[-1, 0]:.2f} ± {track.std[-1, 0]:.2f}")
     2.00 ± 0.07
     """
-    return gaussian_filter(model, z, initial, u, linearize)
+    return gaussian_filter(model, z, initial, u, linearize, gate)
 
 
-def unscented_kalman_filter(model, z, initial, u=None, *, alpha=1.0, beta=2.0, kappa=0.0) -> Track:
+def unscented_kalman_filter(model, z, initial, u=None, *, alpha=1.0, beta=2.0, kappa=0.0, gate=None) -> Track:
     """The unscented Kalman filter, sigma points redrawn after Q was added.
 
     Parameters
@@ -113,6 +117,8 @@ def unscented_kalman_filter(model, z, initial, u=None, *, alpha=1.0, beta=2.0, k
         As in extended_kalman_filter; Jacobians are not needed.
     alpha, beta, kappa : float
         Where the points lie and how they are weighed, as in unscented: λ = α²(n + κ) − n.
+    gate : float, optional
+        As in kalman_filter.
 
     Returns
     -------
@@ -122,7 +128,8 @@ def unscented_kalman_filter(model, z, initial, u=None, *, alpha=1.0, beta=2.0, k
     Raises
     ------
     ValueError, TypeError
-        As in extended_kalman_filter, and when alpha or n + kappa is not positive.
+        As in extended_kalman_filter; when alpha or n + kappa is not positive, or when the points make a matrix that is
+        no covariance, which can happen where n beta + alpha² kappa is negative.
 
     References
     ----------
@@ -137,15 +144,15 @@ def unscented_kalman_filter(model, z, initial, u=None, *, alpha=1.0, beta=2.0, k
     1.98 ± 0.07
     """
     check_model(model)
-    return gaussian_filter(model, z, initial, u, unscented(model.n, alpha, beta, kappa))
+    return gaussian_filter(model, z, initial, u, unscented(model.n, alpha, beta, kappa), gate)
 
 
-def cubature_kalman_filter(model, z, initial, u=None) -> Track:
+def cubature_kalman_filter(model, z, initial, u=None, *, gate=None) -> Track:
     """The cubature Kalman filter, points redrawn after Q was added.
 
     Parameters
     ----------
-    model, z, initial, u
+    model, z, initial, u, gate
         As in extended_kalman_filter; Jacobians are not needed.
 
     Returns
@@ -171,10 +178,10 @@ def cubature_kalman_filter(model, z, initial, u=None) -> Track:
     1.98 ± 0.07
     """
     check_model(model)
-    return gaussian_filter(model, z, initial, u, cubature(model.n))
+    return gaussian_filter(model, z, initial, u, cubature(model.n), gate)
 
 
-def linearized_kalman_filter(model, z, initial, u=None, *, nominal=None) -> Track:
+def linearized_kalman_filter(model, z, initial, u=None, *, nominal=None, gate=None) -> Track:
     """The linearised Kalman filter: every function is replaced by its tangent along a path fixed beforehand.
 
     Parameters
@@ -184,11 +191,13 @@ def linearized_kalman_filter(model, z, initial, u=None, *, nominal=None) -> Trac
     nominal : array_like, optional
         States (..., T, n), the path at each measurement. Without it, the path that initial.mean takes if nothing
         disturbs it. The first move is linearised at initial.mean.
+    gate : float, optional
+        As in kalman_filter.
 
     Returns
     -------
     Track
-        Gains and covariances do not depend on the data: one sequence serves all runs.
+        Gains and covariances do not depend on the data (without a gate): one sequence serves all runs.
 
     Raises
     ------
@@ -215,9 +224,9 @@ def linearized_kalman_filter(model, z, initial, u=None, *, nominal=None) -> Trac
     nominal = check.shape("nominal", check.numbers("nominal", nominal), (T, n))
     check.batches(nominal=nominal.shape[:-2], z=batch)
     if isinstance(model, LinearModel):
-        return kalman_filter(model, z, initial, u)
+        return kalman_filter(model, z, initial, u, gate=gate)
     tangents, z, push = _tangents(model, z, initial.mean, u, nominal)
-    track = kalman_filter(tangents, z, initial, push)
+    track = kalman_filter(tangents, z, initial, push, gate=gate)
     return replace(track, model=model, u=u, through=AlongPath(tangents.F[..., 1:, :, :]))
 
 
@@ -254,15 +263,15 @@ def _finite_series(name, values):
     return values
 
 
-def gaussian_filter(model, z, initial, u, through) -> Track:
+def gaussian_filter(model, z, initial, u, through, gate=None) -> Track:
     """The loop for models whose covariances depend on the data: predict, correct, predict, correct …"""
     check_model(model)
     z, u, batch = check_series(model, z, initial, u)
-    belief, steps = starting_belief(initial, batch), []
+    belief, limits, steps = starting_belief(initial, batch), gate_limits(gate, model.m), []
     for k in range(z.shape[-2]):
         predicted = predicted_belief(model, belief, at_step(u, k), k, through)
-        belief, gain, innovation = corrected_belief(model, predicted, z[..., k, :], k, through)
-        steps.append((predicted, belief, innovation, gain))
-    predicted, filtered, innovation, gains = zip(*steps, strict=True)
-    later = StackedSteps(predicted, innovation)
-    return Track(stack_in_time(filtered), np.stack(gains, -3), model, later, u, through)
+        belief, *parts = corrected_belief(model, predicted, z[..., k, :], k, through, limits)
+        steps.append((predicted, belief, *parts))
+    predicted, filtered, innovation, gains, refused = zip(*steps, strict=True)
+    later, refused = StackedSteps(predicted, innovation), None if limits is None else np.stack(refused, -1)
+    return Track(stack_in_time(filtered), np.stack(gains, -3), model, later, u, through, refused)

@@ -1,19 +1,21 @@
 """Filters whose gains do not depend on the data: first all gains, once, then the means of every run."""
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from ..core.conditioning import covariance_after, decouple_missing, definite, divide, without_missing
-from ..core.matrices import congruence, step_matrix
+from ..core.matrices import congruence, matvec, step_matrix
 from ..core.recursion import linear_recursion, matvec_each_step
 from ..core.walk import Walk, same_covariance, walk
 from ..models.arguments import check_series
 from ..models.gaussian import unchecked_gaussian
 from ..models.state_space import LinearModel, stacks
 from ..results.track import LinearSteps, Track
+from .gate import beyond, gate_limits
 from .moments import linearize
-from .steps import refuse_innovation
+from .steps import at_step, refuse_innovation, starting_belief
 
 
 class Step(NamedTuple):
@@ -27,7 +29,9 @@ class Step(NamedTuple):
     root: np.ndarray | None = None
 
 
-def linear_filter(model, z, initial, u, step, carry=lambda P: P, same=same_covariance, through=linearize) -> Track:
+def linear_filter(
+    model, z, initial, u, step, carry=lambda P: P, same=same_covariance, through=linearize, gate=None
+) -> Track:
     """Compute all gains with `step` (they do not depend on z), then the means of all runs.
 
     step(carried, F, H, Q, R, missing) → carried, Step sets the variants apart; `missing` is None where everything is
@@ -35,7 +39,9 @@ def linear_filter(model, z, initial, u, step, carry=lambda P: P, same=same_covar
     """
     if not isinstance(model, LinearModel):
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
-    z, u, _ = check_series(model, z, initial, u)
+    z, u, batch = check_series(model, z, initial, u)
+    if gate is not None:
+        return gated_filter(model, z, starting_belief(initial, batch), u, step, carry, through, gate)
     T, missing = z.shape[-2], np.isnan(z)
     plan = plan_steps(model, initial.cov, missing, step, carry, same)
     gain, index = plan.parts.gain, plan.index
@@ -107,8 +113,35 @@ def _every_step(model, P, missing, step, carry):
         own = (step_matrix(M, k) for M in _matrices(model))
         carried, parts = step(carried, *own, None if missing is None else missing[..., k, :])
         steps.append(parts)
-    along = (None if part[0] is None else np.moveaxis(np.stack(part), 0, -3) for part in zip(*steps, strict=True))
-    return Walk(Step(*along))
+    return Walk(_stacked(steps))
+
+
+def gated_filter(model, z, belief, u, step, carry, through, gate):
+    """With a gate the covariances depend on the data: step by step, each step in which a reading is refused twice."""
+    limits, missing, steps = gate_limits(gate, model.m), np.isnan(z), []
+    x, carried = belief.mean, carry(belief.cov)
+    with np.errstate(all="ignore"):  # what goes wrong is found below, and said with its step
+        for k in range(z.shape[-2]):
+            x = model.move(x, at_step(u, k), k)
+            y, lost = z[..., k, :] - model.measure(x, k), missing[..., k, :]
+            one = partial(step, carried, *(step_matrix(M, k) for M in _matrices(model)))
+            after, parts = one(lost if lost.any() else None)
+            refused = beyond(limits, unchecked_gaussian(y, parts.S), parts.S_root)
+            if refused.any():
+                after, parts = one(lost | refused[..., None])
+            carried, x = after, x + matvec(parts.gain, np.where(lost, 0, y))
+            steps.append((x, refused, parts))
+    means, refused, steps = zip(*steps, strict=True)
+    plan = Walk(_stacked(steps))
+    _refuse_lost(plan, missing)
+    filtered = unchecked_gaussian(np.stack(means, -2), plan.parts.cov)
+    later, refused = LinearSteps(model, z, u, belief, plan), np.stack(refused, -1)
+    return Track(filtered, plan.parts.gain, model, later, u, through, refused)
+
+
+def _stacked(steps):
+    """The Steps of single steps as one Step along time."""
+    return Step(*(None if part[0] is None else np.moveaxis(np.stack(part), 0, -3) for part in zip(*steps, strict=True)))
 
 
 def _matrices(model):

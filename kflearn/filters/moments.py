@@ -190,6 +190,19 @@ class AlongPath(Frozen):
         return Moments(None, *congruence(self.slopes, belief.cov), self.slopes)
 
 
+def refuse_negative(name, P, through, k):
+    """Where sigma points may make a P that is no covariance: look at it, and say what to do."""
+    if not isinstance(through, SigmaPoints) or not through.may_be_negative(P.shape[-1]):
+        return
+    values = np.linalg.eigvalsh(P)
+    lowest = values[..., 0]
+    if (bad := lowest < -1e-9 * abs(values).max(axis=-1)).any():
+        raise ValueError(
+            f"kappa or beta must be larger, so that n beta + alpha² kappa is at least 0: at step {k} these sigma "
+            f"points make {name} no covariance, with the eigenvalue {lowest[bad][0]:.2g}"
+        )
+
+
 def check_through(through):
     """`through` has to be one of the ways above."""
     if through is linearize:

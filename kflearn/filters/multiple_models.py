@@ -10,6 +10,7 @@ from ..models.arguments import check_belief, check_model, check_series
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Filtered, read_only, scores
+from .mixture import mix, mixture
 from .moments import check_through, linearize
 from .steps import at_step, corrected_belief, predicted_belief
 
@@ -24,24 +25,27 @@ class MultipleModelTrack(Filtered):
     modes: Gaussian (..., T, M, n), the belief of each model in the coordinates of the whole state.
     log_likelihood: of the whole series, (...).
     models: the models that the filter was given.
+
+    The filter goes on where it stopped when it is given its track as `initial`.
     """
 
     mode_probabilities: np.ndarray
     modes: Gaussian
     log_likelihood: np.ndarray
     models: tuple
+    _log_weights: np.ndarray  # of the last step, (..., M): a probability may be too small to be told from 0
 
     def __post_init__(self):
         super().__post_init__()
         object.__setattr__(self, "modes", read_only(self.modes))
-        freeze((self.mode_probabilities, self.log_likelihood))
+        freeze((self.mode_probabilities, self.log_likelihood, self._log_weights))
 
     def _sizes(self):
         return f", M={self.mode_probabilities.shape[-1]} models"
 
 
 def imm_filter(
-    models, z, initial, u=None, *, transition, mode_probabilities, states=None, through=linearize
+    models, z, initial, u=None, *, transition, mode_probabilities=None, states=None, through=linearize
 ) -> MultipleModelTrack:
     """The interacting-multiple-model filter: models exchange beliefs, predict, correct and are weighed at each step.
 
@@ -50,11 +54,12 @@ def imm_filter(
     models : list
         M models, linear and nonlinear ones mixed at will.
     z, initial, u
-        As in kalman_filter; one belief for all models at the start.
+        As in kalman_filter; one belief for all models at the start. Or `initial` is the track of the readings before
+        z, made by the same filter: then each model goes on with its own belief and probability.
     transition : array_like
         (M, M): transition[i, j] is the probability that model j follows model i; its rows sum to 1.
-    mode_probabilities : array_like
-        (M,), the probabilities of the models at the start.
+    mode_probabilities : array_like, optional
+        (M,), the probabilities of the models at the start; equal without it. Not to be given with a track.
     states : list of lists, optional
         For models of fewer states than `initial`: which components of the whole state each model has. What a model
         lacks, it believes to be exactly 0 (a constant-velocity model: no acceleration).
@@ -87,10 +92,10 @@ def imm_filter(
     given, models = models, lifted(models, initial, states)
     check_through(through)
     M = len(models)
+    weights = _weights(initial, mode_probabilities, M)
     transition = check.numbers("transition", transition)
     if transition.shape != (M, M):
         raise ValueError(f"transition must have shape {(M, M)}, got {transition.shape}: one chain serves all steps")
-    weights = _probabilities("mode_probabilities", mode_probabilities, M)
     for row in transition:
         _probabilities("each row of transition", row, M)
     return _filter(tuple(given), models, z, initial, u, transition, weights, through)
@@ -108,7 +113,7 @@ def mmae_filter(
     models, z, initial, u, states, through
         As in imm_filter.
     mode_probabilities : array_like, optional
-        (M,), the probabilities of the models at the start; equal without it.
+        As in imm_filter.
 
     Returns
     -------
@@ -134,29 +139,23 @@ def mmae_filter(
     """
     given, models = models, lifted(models, initial, states)
     check_through(through)
-    M = len(models)
-    equal = np.full(M, 1 / M)
-    weights = equal if mode_probabilities is None else _probabilities("mode_probabilities", mode_probabilities, M)
-    return _filter(tuple(given), models, z, initial, u, np.eye(M), weights, through)
+    weights = _weights(initial, mode_probabilities, len(models))
+    return _filter(tuple(given), models, z, initial, u, np.eye(len(models)), weights, through)
 
 
 def _filter(given, models, z, initial, u, transition, weights, through):
     """The loop. Inside it the axis of the models comes first: beliefs (M, ..., n), logarithms of weights (M, ...)."""
-    n, M = initial.mean.shape[-1], len(models)
-    checked = [check_series(model, z, initial, u) for model in models]
+    M = len(models)
+    checked = [check_series(model, z, _together(initial), u) for model in models]
     z, u, _ = checked[0]
     batch = check.batches(**{f"model {j}": axes for j, (_, _, axes) in enumerate(checked)})
-    bank = _bank(models, len(batch))
-    beliefs = unchecked_gaussian(
-        np.broadcast_to(initial.mean, (M, *batch, n)), np.broadcast_to(initial.cov, (M, *batch, n, n))
-    )
-    ones = (1,) * len(batch)
+    bank, beliefs = _bank(models, len(batch)), _beliefs(initial, M, batch)
     with np.errstate(divide="ignore"):
-        log_transition = np.log(transition).reshape(M, M, *ones)
-        log_weights = np.log(weights).reshape(M, *ones)
+        log_transition = np.log(transition).reshape(M, M, *(1,) * len(batch))
+    log_weights = np.moveaxis(np.broadcast_to(weights, (*batch, M)), -1, 0)
     rows, total = [], 0.0
     for k in range(z.shape[-2]):
-        beliefs, log_weights = _mix(beliefs, log_weights, log_transition)
+        beliefs, log_weights = mix(beliefs, log_weights, log_transition)
         beliefs, log_likelihood = _step(bank, beliefs, z[..., k, :], at_step(u, k), k, through)
         log_weights = log_weights + log_likelihood
         evidence = np.logaddexp.reduce(log_weights, axis=0)
@@ -166,48 +165,56 @@ def _filter(given, models, z, initial, u, transition, weights, through):
     return _track(rows, total, given)
 
 
+def _weights(initial, mode_probabilities, M):
+    """Logarithms of the weights at the start: (M,), or (..., M) those at the end of a track."""
+    if isinstance(initial, MultipleModelTrack):
+        if mode_probabilities is not None:
+            raise ValueError("mode_probabilities must be left out where initial is a track, which has its own")
+        return initial._log_weights
+    equal = np.full(M, 1 / M)
+    weights = equal if mode_probabilities is None else _probabilities("mode_probabilities", mode_probabilities, M)
+    with np.errstate(divide="ignore"):
+        return np.log(weights)
+
+
+def _together(initial):
+    """One belief for all models: `initial` itself, or the mixture at the end of a track."""
+    return initial[-1] if isinstance(initial, MultipleModelTrack) else initial
+
+
+def _beliefs(initial, M, batch):
+    """What each model believes at the start, (M, ..., n)."""
+    n = initial.mean.shape[-1]
+    if not isinstance(initial, MultipleModelTrack):
+        return unchecked_gaussian(
+            np.broadcast_to(initial.mean, (M, *batch, n)), np.broadcast_to(initial.cov, (M, *batch, n, n))
+        )
+    mean = np.broadcast_to(initial.modes.mean[..., -1, :, :], (*batch, M, n))
+    cov = np.broadcast_to(initial.modes.cov[..., -1, :, :, :], (*batch, M, n, n))
+    return unchecked_gaussian(np.moveaxis(mean, -2, 0), np.moveaxis(cov, -3, 0))
+
+
 def _track(rows, total, given):
     """The result: per step, the logarithms of the weights (M, ...), and the means and covariances of all models."""
     log_weights, means, covs = zip(*rows, strict=True)
     modes = unchecked_gaussian(np.stack(means, axis=-2), np.stack(covs, axis=-3))
     shares = np.exp(np.stack(log_weights, axis=-1))
     last = unchecked_gaussian(np.moveaxis(modes.mean, 0, -2), np.moveaxis(modes.cov, 0, -3))
-    return MultipleModelTrack(_mixture(shares, modes), np.moveaxis(shares, 0, -1), last, total, given)
-
-
-def _mix(beliefs, log_weights, log_transition):
-    """What each model starts the step with, and how probable it is before the measurement."""
-    joint = log_weights[:, None] + log_transition  # from model i to model j
-    arriving = np.logaddexp.reduce(joint, axis=0)
-    alive = np.isfinite(arriving)
-    if alive.all():
-        return _mixture(np.exp(joint - arriving), beliefs), arriving
-    own = np.eye(len(joint)).reshape(log_transition.shape)
-    return _mixture(np.where(alive, np.exp(joint - np.where(alive, arriving, 0)), own), beliefs), arriving
-
-
-def _mixture(shares, beliefs):
-    """Mean and covariance of a mixture of M beliefs (M, ..., n): shares (M, ...), or (M, J, ...) for J mixtures."""
-    shares = shares[..., None]
-    mean = sum(share * x for share, x in zip(shares, beliefs.mean, strict=True))
-    cov = 0.0
-    for share, x, P in zip(shares, beliefs.mean, beliefs.cov, strict=True):
-        apart = x - mean
-        cov = cov + share[..., None] * (P + apart[..., :, None] * apart[..., None, :])
-    return unchecked_gaussian(mean, cov)
+    end = np.moveaxis(log_weights[-1], 0, -1)
+    return MultipleModelTrack(mixture(shares, modes), np.moveaxis(shares, 0, -1), last, total, given, end)
 
 
 def _step(bank, beliefs, z, u, k, through):
     """Every model predicts and corrects: beliefs (M, ..., n) and log-likelihoods (M, ...)."""
     if isinstance(bank, LinearModel):
         predicted = predicted_belief(bank, beliefs, u, k, linearize)
-        after, _, innovation = corrected_belief(bank, predicted, z, k, linearize)
-        return after, scores(innovation)[1]
+        made = corrected_belief(bank, predicted, z, k, linearize)
+        return made.belief, scores(made.innovation)[1]
     parts = []
     for model, mean, cov in zip(bank, beliefs.mean, beliefs.cov, strict=True):
         predicted = predicted_belief(model, unchecked_gaussian(mean, cov), u, k, through)
-        after, _, innovation = corrected_belief(model, predicted, z, k, through)
-        parts.append((after.mean, after.cov, scores(innovation)[1]))
+        made = corrected_belief(model, predicted, z, k, through)
+        parts.append((made.belief.mean, made.belief.cov, scores(made.innovation)[1]))
     means, covs, logs = (np.stack(part) for part in zip(*parts, strict=True))
     return unchecked_gaussian(means, covs), logs
 
@@ -221,6 +228,10 @@ def lifted(models, initial, states):
     measured = {model.m for model in models}
     if len(measured) > 1:
         raise ValueError(f"models must all measure the same components, got {sorted(measured)} of them")
+    if isinstance(initial, MultipleModelTrack) and initial.mode_probabilities.shape[-1] != len(models):
+        M = initial.mode_probabilities.shape[-1]
+        raise ValueError(f"initial must be a track of as many models as are given, {len(models)}, got one of {M}")
+    initial = _together(initial)
     if states is None:
         for model in models:
             check_belief("initial", initial, model)

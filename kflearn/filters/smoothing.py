@@ -71,7 +71,8 @@ def _shared(model, track):
     if (
         thin and plan.parts.root is None
     ):  # roots of rounded covariances will not do: let roots be carried from the start
-        plan = plan_steps(model, later.start.cov, np.isnan(later.z), square_root_step, root, same_root)
+        unused = np.isnan(later.z) | track.refused[..., None]
+        plan = plan_steps(model, later.start.cov, unused, square_root_step, root, same_root)
         L = plan.parts.root
         gain, left, _ = backward_gain(model.F @ L, L, noise, largest)
     # At the last step nothing is known of a later one: rows without gain, at which all of the covariance is left.

@@ -9,14 +9,14 @@ from ..results.track import Track
 from .linear import Step, linear_filter
 
 
-def square_root_kalman_filter(model, z, initial, u=None) -> Track:
+def square_root_kalman_filter(model, z, initial, u=None, *, gate=None) -> Track:
     """The Kalman filter in square-root form, the roots by QR decomposition: the same numbers, with fewer lost digits.
 
     The condition number of what is carried from step to step is the square root of that of P.
 
     Parameters
     ----------
-    model, z, initial, u
+    model, z, initial, u, gate
         As in kalman_filter.
 
     Returns
@@ -40,7 +40,7 @@ def square_root_kalman_filter(model, z, initial, u=None) -> Track:
     >>> print(f"{track.mean[-1, 0]:.3f} ± {track.std[-1, 0]:.3f}")
     2.000 ± 0.577
     """
-    return linear_filter(model, z, initial, u, square_root_step, root, same_root)
+    return linear_filter(model, z, initial, u, square_root_step, root, same_root, gate=gate)
 
 
 def square_root_step(L, F, H, Q, R, missing=None):

@@ -5,17 +5,20 @@ C = P⁻Hᵀ, and these are eqs (5)–(9). The letters are explained in `kalman`
 """
 
 from math import isfinite
+from typing import Literal, overload
 
 import numpy as np
 
 from ..core.conditioning import covariance_after, definite, divide, without_missing
-from ..core.matrices import compact, matvec, step_matrix, symmetric
+from ..core.matrices import compact, matvec, step_matrix, symmetric, with_batch
 from ..models import checks as check
 from ..models.arguments import check_belief, check_control, check_measure, check_model, check_move, check_step
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel, NonlinearModel
 from ..results.track import read_only
-from .moments import check_through, linearize
+from .gate import Correction, beyond, gate_limits
+from .moments import check_through, linearize, refuse_negative
+from .start import start_from
 
 
 def predict(model, belief, u=None, *, k=0, through=linearize) -> Gaussian:
@@ -65,10 +68,18 @@ def predict(model, belief, u=None, *, k=0, through=linearize) -> Gaussian:
         axes["u"] = u.shape[:-1]
     belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, **axes))
     check_move(model, belief.mean, u)
-    return read_only(predicted_belief(model, belief, u, k, through))
+    return read_only(predicted_belief(model, belief, u, k, through), series=False)
 
 
-def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
+@overload
+def correct(model, belief, z, *, k=..., through=..., gate=..., details: Literal[False] = ...) -> Gaussian: ...
+
+
+@overload
+def correct(model, belief, z, *, k=..., through=..., gate=..., details: Literal[True]) -> Correction: ...
+
+
+def correct(model, belief, z, *, k=0, through=linearize, gate=None, details=False) -> Gaussian | Correction:
     """The belief after the measurement z: eqs (7)–(9).
 
     Parameters
@@ -81,11 +92,17 @@ def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
         (m,) or (..., m), or a number when m = 1; NaN marks components that were not measured.
     k, through
         As in predict.
+    gate : float, optional
+        A probability such as 0.99: a reading is refused, and the belief stays what was predicted, where its NIS is
+        larger than this share of honest readings would have it. Without it every reading is used.
+    details : bool
+        Whether to return what was computed on the way too.
 
     Returns
     -------
-    Gaussian
-        Read-only; its mean and its covariance have the batch axes of all arguments together.
+    Gaussian, or with details a Correction (belief, innovation, gain, refused)
+        Read-only; mean and covariance have the batch axes of all arguments together. The innovation is a Gaussian with
+        mean z − ẑ and covariance S.
 
     Raises
     ------
@@ -101,15 +118,25 @@ def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
     >>> from kflearn import Gaussian, correct, random_walk
     >>> print(f"{correct(random_walk(1, 1), Gaussian(60, 5), 62):.3f}")
     N(61.667, 0.833)
+    >>> far = correct(random_walk(1, 1), Gaussian(60, 5), 72, gate=0.99, details=True)
+    >>> print(f"{far.belief:.0f}, innovation {far.innovation:.0f}, refused: {far.refused}")
+    N(60, 5), innovation N(12, 6), refused: True
     """
     check_model(model)
     check_through(through)
     check_belief("belief", belief, model)
-    axes = check_step(model, k)
+    axes, limits = check_step(model, k), gate_limits(gate, model.m)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
-    belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, z=z.shape[:-1], **axes))
+    batch = check.batches(belief=belief.batch, z=z.shape[:-1], **axes)
+    belief = _with_a_mean_each(belief, batch)
     check_measure(model, belief.mean)
-    return read_only(corrected_belief(model, belief, z, k, through)[0])
+    after, innovation, gain, refused = corrected_belief(model, belief, z, k, through, limits)
+    after = read_only(after, series=False)
+    if not details:
+        return after
+    gain, refused = with_batch(gain, batch), np.broadcast_to(False if refused is None else refused, batch)
+    gain.flags.writeable = False
+    return Correction(after, read_only(innovation, series=False), gain, refused)
 
 
 def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None) -> Gaussian:
@@ -156,50 +183,6 @@ def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None) ->
     return correct(model, predict(model, Gaussian(x, check.covariance("P", P, n)), u), z)
 
 
-def start_from(model, z) -> Gaussian:
-    """The belief that one measurement alone gives, x = H⁻¹ z and P = H⁻¹ R H⁻ᵀ: a start when nothing else is known.
-
-    Parameters
-    ----------
-    model : LinearModel
-        With an invertible H: as many components are measured as there are states.
-    z : array_like
-        (..., m), or a number when m = 1.
-
-    Returns
-    -------
-    Gaussian
-        Mean (..., n) and one covariance (n, n).
-
-    Raises
-    ------
-    ValueError
-        When H is not square or is singular.
-
-    Examples
-    --------
-    >>> from kflearn import random_walk, start_from
-    >>> print(f"{start_from(random_walk(1, 4), 3):.0f}")
-    N(3, 4)
-    """
-    if not isinstance(model, LinearModel):
-        raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
-    H, R = step_matrix(model.H, 0), step_matrix(model.R, 0)
-    z = check.shape("z", np.atleast_1d(check.numbers("z", z)), (model.m,))
-    if model.m != model.n or not _invertible(H):
-        raise ValueError(f"H of shape {H.shape} must be invertible to start from z: not every state is measured")
-    half = np.linalg.solve(H, R)
-    return Gaussian(np.linalg.solve(H, z[..., None])[..., 0], symmetric(np.linalg.solve(H, half.mT)))
-
-
-def _invertible(H):
-    """Has a square matrix, or each of a stack, full rank in whatever units? Rows and columns are brought to size 1."""
-    for axis in (-1, -2):
-        size = abs(H).max(axis=axis, keepdims=True)
-        H = H / np.where(size > 0, size, 1)
-    return (np.linalg.matrix_rank(H) == H.shape[-1]).all()
-
-
 def starting_belief(initial, batch):
     """The initial belief with a mean and a covariance for every run."""
     n = initial.mean.shape[-1]
@@ -217,13 +200,17 @@ def predicted_belief(model, belief, u, k, through, Q=None):
     # A quick test: a sum is finite only if all its terms are.
     if isinstance(model, NonlinearModel) and not isfinite(moved.mean.sum()):
         _check_finite("f", moved.mean, belief, k)
-    return unchecked_gaussian(moved.mean, symmetric(moved.cov + (step_matrix(model.Q, k) if Q is None else Q)))
+    P = symmetric(moved.cov + (step_matrix(model.Q, k) if Q is None else Q))
+    refuse_negative("P⁻", P, through, k)
+    return unchecked_gaussian(moved.mean, P)
 
 
-def corrected_belief(model, predicted, z, k, through):
-    """The belief after a measurement, the gain, and the innovation with its covariance; arguments are not checked."""
+def corrected_belief(model, predicted, z, k, through, limits=None):
+    """The Correction by a measurement; arguments are not checked. limits: of the gate."""
     expected, innovation = expected_measurement(model, predicted, z, k, through)
-    return condition(predicted, expected, innovation, step_matrix(model.R, k), k)
+    made = condition(predicted, expected, innovation, step_matrix(model.R, k), k, limits)
+    refuse_negative("P⁺", made.belief.cov, through, k)
+    return made
 
 
 def expected_measurement(model, predicted, z, k, through):
@@ -232,19 +219,22 @@ def expected_measurement(model, predicted, z, k, through):
     return expected, model.difference(z, expected.mean)
 
 
-def condition(predicted, expected, innovation, R, k):
-    """Gaussian conditioning on the measurement of step k: the belief after it, the gain, the innovation with S."""
+def condition(predicted, expected, innovation, R, k, limits=None):
+    """Gaussian conditioning on the measurement of step k, a Correction; without limits its `refused` is None."""
     full = S = expected.cov + R
-    cross, y, missing = expected.cross, innovation, np.isnan(innovation)
+    cross, y, missing, refused = expected.cross, innovation, np.isnan(innovation), None
     if missing.any():
         _check_finite("h", expected.mean, predicted, k)
         S, cross = without_missing(missing, S, cross)
         y = np.where(missing, 0, y)
     if not definite(S).all():
         refuse_innovation(k)
-    gain = divide(cross, S)
+    gain, innovation = divide(cross, S), unchecked_gaussian(innovation, full)
+    if limits is not None:
+        refused = beyond(limits, innovation)
+        gain = np.where(refused[..., None, None], 0, gain)
     P = covariance_after(gain, predicted.cov, expected.slope, R + expected.rest, expected.basis)
-    return unchecked_gaussian(predicted.mean + matvec(gain, y), P), gain, unchecked_gaussian(innovation, full)
+    return Correction(unchecked_gaussian(predicted.mean + matvec(gain, y), P), innovation, gain, refused)
 
 
 def refuse_innovation(k):

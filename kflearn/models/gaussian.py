@@ -204,9 +204,20 @@ def _read_only(mean, cov):
     return unchecked_gaussian(mean, cov)
 
 
-def clip_variances(belief) -> Gaussian:
-    """Clip variances that rounding made slightly negative to 0, in place. Returns the same belief."""
+def clip_variances(belief, series=False) -> Gaussian:
+    """Clip variances that rounding made slightly negative to 0, in place. Returns the same belief.
+
+    series: is the last batch axis the time? A variance below −1e-9 times the largest one is no rounding: ValueError.
+    """
     variance = np.einsum("...ii->...i", belief.cov)  # a view of the diagonal
     if (variance < 0).any():
+        bad = variance < -1e-9 * variance.max()
+        if bad.any():
+            in_time = series and bad.ndim > 1
+            step = f" at step {np.argwhere(bad)[:, -2].min()}" if in_time else ""
+            raise ValueError(
+                f"P must have no negative variances, found {variance[bad][0]:.2g}{step}: sigma points with kappa < 0 "
+                "or beta < 2 can make such; else too many digits were lost, try square_root_kalman_filter"
+            )
         variance[variance < 0] = 0
     return belief

@@ -92,7 +92,8 @@ def nis(track) -> np.ndarray:
     Returns
     -------
     ndarray (..., T)
-        Pure numbers; NaN where nothing was measured. Of a step that was measured in part, only that part counts.
+        Pure numbers; NaN where nothing was measured. Of a step that was measured in part, only that part counts. A
+        reading that a gate refused has its NIS too: see track.refused.
 
     Raises
     ------

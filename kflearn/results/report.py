@@ -44,7 +44,8 @@ def report_card(z, rest, follow) -> ReportCard:
         (T,), True for the rows at which nothing moved.
     follow : callable
         The filter under test: a function of readings (T, m) that starts from the first of them and returns its model
-        and the Track of the T − 1 others. A reading with a NaN innovation counts as refused by the filter's gate.
+        and the Track of the T − 1 others. Refused
+        is what track.refused says, and a reading that follow left out, so that its innovation is NaN.
 
     Returns
     -------
@@ -111,11 +112,12 @@ def _at_rest(still):
 
 def _innovations(track, z):
     """Are the innovations as large and as white as they should be, and how many readings were refused?"""
-    y, used = track.innovation.mean / track.innovation.std, ~np.isnan(track.innovation.mean)
+    used = ~np.isnan(track.innovation.mean) & ~track.refused[:, None]
+    y = np.where(used, track.innovation.mean / track.innovation.std, np.nan)
     N = max(int(used.sum()), 1)
     refused = (~used & ~np.isnan(z[1:])).any(axis=1)
     return (
-        ("NIS / m", np.nansum(track.nis) / N, *chi_square_interval(1, N)),
+        ("NIS / m", np.nansum(track.nis[~track.refused]) / N, *chi_square_interval(1, N)),
         ("neighbours, innovations", neighbours(y), -1.96 / np.sqrt(N), 1.96 / np.sqrt(N)),
         ("share refused", refused.mean(), 0, 0.1),
         ("refused in a row", longest_run(refused), 0, 3),

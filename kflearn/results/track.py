@@ -86,7 +86,8 @@ class Track(Filtered):
     gain: (..., T, n, m), zero in the columns of what was not measured.
     predicted: Gaussian of the same shapes, before each measurement.
     innovation: Gaussian with mean z − ẑ (..., T, m), NaN where nothing was measured, and cov S (..., T, m, m).
-    nis, log_likelihood: (..., T) and (...).
+    refused: bool (..., T), True where the filter's gate refused the reading, so that it was not used.
+    nis, log_likelihood: (..., T) and (...); a refused reading has its NIS, but no share in the likelihood.
     model, u, through: the model that the filter was given, its control inputs (..., T, p) or None, and how it pushed
         beliefs through the model (see `filters.moments`; None where no smoother may follow).
 
@@ -107,6 +108,7 @@ class Track(Filtered):
     _later: "LinearSteps | StackedSteps"
     u: np.ndarray | None = None
     through: Callable | None = None
+    _refused: np.ndarray | None = None
 
     def __post_init__(self):
         super().__post_init__()
@@ -133,13 +135,20 @@ class Track(Filtered):
 
     @cached_property
     def nis(self) -> np.ndarray:
-        """Normalised innovation squared yᵀ S⁻¹ y of what was measured, (..., T); NaN where nothing was."""
+        """Normalised innovation squared yᵀ S⁻¹ y of what was measured, used or not, (..., T); NaN where nothing was."""
         return self._scores[0]
 
     @cached_property
     def log_likelihood(self) -> np.ndarray:
-        """The logarithm of the probability density of the whole series under the model, (...)."""
-        return self._scores[1].sum(axis=-1)
+        """The logarithm of the probability density of all readings that were used under the model, (...)."""
+        return np.where(self.refused, 0, self._scores[1]).sum(axis=-1)
+
+    @property
+    def refused(self) -> np.ndarray:
+        """Which readings the gate refused, (..., T); none where there was no gate."""
+        refused = np.broadcast_to(False if self._refused is None else self._refused, self.mean.shape[:-1])
+        refused.flags.writeable = False
+        return refused
 
     @property
     def learnt(self) -> np.ndarray:
@@ -214,13 +223,14 @@ def stack_in_time(beliefs):
     return unchecked_gaussian(np.stack([b.mean for b in beliefs], -2), np.stack([b.cov for b in beliefs], -3))
 
 
-def read_only(belief):
+def read_only(belief, series=True):
     """The same belief with read-only arrays: what is computed later must still agree with it.
 
-    Its covariances get the batch axes of its mean, as a view where they are the same in all runs.
+    Its covariances get the batch axes of its mean, as a view where they are the same in all runs. series: is the last
+    batch axis the time?
     """
     if belief.cov.flags.writeable:
-        clip_variances(belief)
+        clip_variances(belief, series)
     belief.mean.flags.writeable = belief.cov.flags.writeable = False
     cov = with_batch(belief.cov, belief.mean.shape[:-1])
     return belief if cov is belief.cov else unchecked_gaussian(belief.mean, cov)

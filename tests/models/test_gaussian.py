@@ -89,6 +89,19 @@ def test_only_negative_variances_are_clipped():
     np.testing.assert_array_equal(belief.cov, np.diag([1e-12, 0, 4.0]))
 
 
+def test_what_is_negative_beyond_rounding_is_refused_with_its_step():
+    for variance in (-4e-10, -3.9e-9):
+        clip_variances(unchecked_gaussian(np.zeros(2), np.diag([variance, 4.0])))
+    cov = np.array([np.eye(2)] * 6)
+    cov[4, 1, 1] = -0.25
+    with pytest.raises(ValueError, match=r"P must have no negative variances, found -0\.25 at step 4: sigma points"):
+        clip_variances(unchecked_gaussian(np.zeros((6, 2)), cov), series=True)
+    with pytest.raises(ValueError, match=r"found -0\.25: sigma points with kappa < 0 or beta < 2"):
+        clip_variances(unchecked_gaussian(np.zeros((6, 2)), cov))
+    with pytest.raises(ValueError, match=r"at step 0:"):
+        clip_variances(unchecked_gaussian(np.zeros((3, 2, 2)), cov.reshape(3, 2, 2, 2)), series=True)
+
+
 def test_what_is_handed_out_is_read_only():
     belief = Gaussian([1, 2], [[4, 1], [1, 9]])
     for result in (belief.fuse(belief), belief.marginal(0), belief.marginal([1, 0])):
