@@ -1,19 +1,21 @@
 """A recursion whose steps depend on symbols (was there a gap?), not on data: each distinct step is computed once."""
 
+from dataclasses import dataclass
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
 
-class Walk(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Walk:
     """The distinct steps, and which of them each step of a series is.
 
     parts: arrays (..., S, ·, ·) of what belongs to a step, or None. index: (..., T), rows of `parts`; None:
     row k belongs to step k, and the last row to all steps after it.
     """
 
-    parts: tuple
+    parts: Any
     index: np.ndarray | None = None
 
     def each(self, part, T):

@@ -13,7 +13,7 @@ Examples
 
 import numpy as np
 
-from ..filters.square_root import square_root_kalman_filter
+from ..filters.square_root import square_root_kalman_filter, triangular
 from ..models.gaussian import Gaussian
 from ..models.state_space import LinearModel
 
@@ -88,7 +88,7 @@ def by_root_noise_first(P0) -> np.ndarray:
     L, x, r = P0**0.5 * np.eye(7), np.zeros(7), MODEL.R[0] ** 0.5
     for row, reading in zip(H, z, strict=True):
         array = np.vstack([np.append(r, row @ L), np.hstack([np.zeros((7, 1)), L])])
-        array = np.linalg.qr(array.T, mode="r").T
+        array = triangular(array)
         x, L = x + array[1:, 0] / array[0, 0] * (reading - row @ x), array[1:, 1:]
     return x
 

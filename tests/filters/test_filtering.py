@@ -1,5 +1,7 @@
 """Single steps, conveniences and worked numbers; what holds for all models is in test_properties."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -231,3 +233,22 @@ def test_joseph_is_right_for_a_wrong_gain():
     np.testing.assert_allclose(np.diag((np.eye(2) - gain @ H) @ P), [1.3333, 0.9583], atol=5e-5)
     L = np.linalg.cholesky(P)  # and in the form for sigma points
     np.testing.assert_allclose(covariance_after(gain, P, H @ L, R, L), covariance_after(gain, P, H, R))
+
+
+def twins(R, m):
+    """Components that measure nearly the same: S is singular in rounded numbers."""
+    H = np.ones((m, 2))
+    H[1:, 1] += 1e-9 * np.arange(1, m)
+    return LinearModel(np.eye(2), H, np.eye(2), R * np.eye(m))
+
+
+@pytest.mark.parametrize("m", [2, 3])
+@pytest.mark.parametrize("filter_", [kalman_filter, extended_kalman_filter, unscented_kalman_filter])
+def test_a_singular_innovation_covariance_is_named_with_its_step(filter_, m):
+    z = np.ones((6, m))
+    z[:2, 1:] = np.nan
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(ValueError, match="at step 2 S = H P⁻ Hᵀ"):
+            filter_(twins(1e-17, m), z, Gaussian([0, 0], np.eye(2)))
+    assert np.isfinite(filter_(twins(1e-2, m), z, Gaussian([0, 0], np.eye(2))).mean).all()

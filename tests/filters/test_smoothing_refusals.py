@@ -109,3 +109,13 @@ def test_the_cut_off_of_the_division_keeps_what_is_nearly_singular():
     # Two states whose correlation is 1 − 1e-12: P P⁻¹ = I to as many digits as P has left.
     P = np.array([[1, 1 - 1e-12], [1 - 1e-12, 1]])
     np.testing.assert_allclose(divide_safely(P, P), np.eye(2), atol=1e-3)
+
+
+@pytest.mark.parametrize("P0", [1.0, 1e6, 1e8])
+@pytest.mark.parametrize("factor", [1.001, 2, 10, 100])
+def test_a_foreign_model_is_seen_whatever_the_start(P0, factor):
+    model = constant_velocity(1, 0.3, 1)
+    track = kalman_filter(model, np.cumsum(np.random.default_rng(3).normal(size=60)), Gaussian([0, 0], P0 * np.eye(2)))
+    with pytest.raises(ValueError, match="model must be the one the track was filtered with"):
+        rts_smoother(model.replace(Q=factor * model.Q), track)
+    assert rts_smoother(model.replace(Q=model.Q), track).std.max() < 2
