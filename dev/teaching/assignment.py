@@ -31,7 +31,7 @@ ROOT = Path(__file__).parents[2]
 IMPORT = re.compile(r"^from kflearn\.exercises import (\w+) as exercises\n*", re.MULTILINE)
 HEAD = """{title}: exercises
 
-Open the lesson beside this notebook: where an exercise says "above", "the article" or "our", it means that lesson.
+Open the lesson as well: where an exercise says "above", "the article" or "our", it means that lesson.
 
 Put your work in place of the dots and run the cell. Then run the cell below it: it says what it finds, and shows a 1
 when the point is yours. Try as often as you like. Save, and hand in this file, {file}.{given}"""

@@ -1,10 +1,10 @@
 """Collect a class's answers from the learners' homes of a class server, for grading. Only root can do it:
 
-    python -m dev.teaching.collect grading             into the home of the account grading: answers/LEARNER
+    python -m dev.teaching.collect grading 04 05       into the home of the account grading: answers-04-05/LEARNER
 
-Taken are all files named …-answers….ipynb below kalman, with their times. They are read as the learner, so that nobody
-can hand in a link to somebody else's file, and written as the account that will grade them. The next collection
-overwrites them and removes nothing. Files of 20 MB and more are left out.
+Taken are all files below kalman with 04-answers or 05-answers in their names, with their times. They are read as the
+learner, so that nobody can hand in a link to somebody else's file, and written as the account that will grade them.
+The next collection overwrites them and removes nothing. Files of 20 MB and more are left out.
 """
 
 import argparse
@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 LISTED = Path(__file__).parents[2] / "class" / "learners.txt"
-FIND = ["find", "kalman", "-name", ".*", "-prune", "-o", "-type", "f", "-size", "-20M", "-name", "*-answers*.ipynb"]
+FIND = ["find", "kalman", "-name", ".*", "-prune", "-o", "-type", "f", "-size", "-20M"]
 PACK = ["tar", "--create", "--dereference", "--hard-dereference", "--null", "--no-recursion", "--files-from=-"]
 UNPACK = ["tar", "--extract", "--no-same-owner", "--no-same-permissions"]
 
@@ -28,17 +28,22 @@ def run_as(account, command, given=b""):
     return subprocess.run([*enter, *command], cwd="/", env=env, input=given, capture_output=True, **rights)
 
 
-def collect(learner, grader, folder="answers"):
+def collect(learner, grader, lessons):
     """Copy a learner's files; how many."""
-    names = run_as(learner, [*FIND, "-print0"]).stdout
+    patterns = [word for number in lessons for word in ("-o", "-name", f"*{number:0>2}-answers*.ipynb")][1:]
+    names = run_as(learner, [*FIND, "(", *patterns, ")", "-print0"]).stdout
     if not names:
         return 0
     packed = run_as(learner, PACK, names).stdout
-    target = f"{grader.pw_dir}/{folder}/{learner.pw_name}"
+    target = f"{folder(grader, lessons)}/{learner.pw_name}"
     run_as(grader, ["mkdir", "--parents", target])
     if run_as(grader, [*UNPACK, f"--directory={target}"], packed).returncode:
         sys.exit(f"{grader.pw_name} could not write {learner.pw_name}'s files into {target}.")
     return names.count(b"\0")
+
+
+def folder(grader, lessons):
+    return "-".join([f"{grader.pw_dir}/answers", *(f"{number:0>2}" for number in lessons)])
 
 
 def accounts(path):
@@ -52,6 +57,7 @@ def accounts(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("account", help="the account that will grade, such as grading")
+    parser.add_argument("lessons", nargs="+", help="numbers of the assignment's lessons, such as 04 05")
     parser.add_argument("--learners", type=Path, default=LISTED, help="the list of names (class/learners.txt)")
     options = parser.parse_args()
     if os.geteuid():
@@ -63,11 +69,13 @@ def main():
     if not options.learners.exists():
         sys.exit(f"There is no list {options.learners}.")
     learners, unknown = accounts(options.learners)
-    counts = {learner.pw_name: collect(learner, grader) for learner in learners}
-    print("\n".join(f"{name}: {number} files" for name, number in counts.items() if number))
+    counts = {learner.pw_name: collect(learner, grader, options.lessons) for learner in learners}
+    for name in filter(counts.get, counts):
+        print(f"{name}: {counts[name]} file{'s' * (counts[name] > 1)}")
     if absent := [*(name for name, number in counts.items() if not number), *unknown]:
         print(f"No file from: {', '.join(absent)}.")
-    print(f"The files are in {grader.pw_dir}/answers.")
+    if any(counts.values()):
+        print(f"The files are in {folder(grader, options.lessons)}.")
 
 
 if __name__ == "__main__":

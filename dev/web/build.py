@@ -202,7 +202,8 @@ def prepare(lessons, folder):
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(picture, copy)
     for name, path in texts.items():
-        (folder / name).write_text(relink(path.read_text(encoding="utf-8"), pages), encoding="utf-8")
+        text = path.read_text(encoding="utf-8").replace("](../notebooks/", "](")
+        (folder / name).write_text(relink(text, pages), encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("](notebooks/", "](")
     readme = readme.replace("](class/README.md)", "](class-server.md)").replace("](CHANGELOG.md)", "](changelog.md)")
     (folder / "README.md").write_text(relink(about.without(about.FOLDER, readme), pages), encoding="utf-8")

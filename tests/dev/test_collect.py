@@ -46,18 +46,21 @@ def test_answers_are_collected_with_nobodys_rights_but_the_owners(people, tmp_pa
     secret = put(ben, "kalman/notebooks/secret.ipynb", "of ben")
     put(ada, "kalman/assignments/04-answers.ipynb", "of ada")
     put(ada, "kalman/notebooks/04-answers (1).ipynb", "of ada")
+    put(ada, "kalman/assignments/07-answers.ipynb", "of another assignment")
     put(ada, "kalman/notebooks/.ipynb_checkpoints/04-answers-checkpoint.ipynb", "of ada")
     os.symlink(secret, f"{ada.pw_dir}/kalman/05-answers.ipynb")
     (tmp_path / "learners.txt").write_text(f"# class\n{ada.pw_name}\n{ben.pw_name}\nnobody-knows\n")
     for _ in range(2):
-        printed = run("-m", "dev.teaching.collect", grader.pw_name, "--learners", tmp_path / "learners.txt")
+        printed = run("-m", "dev.teaching.collect", grader.pw_name, "4", "05", "--learners", tmp_path / "learners.txt")
         assert printed.splitlines() == [
             f"{ada.pw_name}: 2 files",
             f"No file from: {ben.pw_name}, nobody-knows.",
-            f"The files are in {grader.pw_dir}/answers.",
+            f"The files are in {grader.pw_dir}/answers-04-05.",
         ]
-    found = [os.path.join(place, name) for place, _, names in os.walk(f"{grader.pw_dir}/answers") for name in names]
-    start = f"{grader.pw_dir}/answers/{ada.pw_name}/kalman"
+    found = [
+        os.path.join(place, name) for place, _, names in os.walk(f"{grader.pw_dir}/answers-04-05") for name in names
+    ]
+    start = f"{grader.pw_dir}/answers-04-05/{ada.pw_name}/kalman"
     assert sorted(found) == [f"{start}/assignments/04-answers.ipynb", f"{start}/notebooks/04-answers (1).ipynb"]
     for path in found:
         about = os.stat(path)
@@ -69,5 +72,5 @@ def test_a_home_that_leads_elsewhere_gives_nothing(people, tmp_path):
     put(ben, "kalman/04-answers.ipynb", "of ben")
     os.symlink(f"{ben.pw_dir}/kalman", f"{ada.pw_dir}/kalman")
     (tmp_path / "learners.txt").write_text(ada.pw_name)
-    printed = run("-m", "dev.teaching.collect", grader.pw_name, "--learners", tmp_path / "learners.txt")
-    assert f"No file from: {ada.pw_name}." in printed
+    printed = run("-m", "dev.teaching.collect", grader.pw_name, "4", "05", "--learners", tmp_path / "learners.txt")
+    assert printed == f"No file from: {ada.pw_name}.\n"
