@@ -85,8 +85,9 @@ def adaptive_kalman_filter(
         R, Q = step_matrix(model.R, k), step_matrix(model.Q, k)
         if adapt == "Q":
             Q = alpha[..., None, None] * Q
-        predicted = predicted_belief(model, belief, at_step(u, k), k, through, Q)
-        expected, innovation = expected_measurement(model, predicted, z[..., k, :], k, through)
+        push = at_step(u, k)
+        predicted = predicted_belief(model, belief, push, k, through, Q)
+        expected, innovation = expected_measurement(model, predicted, z[..., k, :], k, through, push)
         C, ready = innovations.take(innovation)
         if adapt == "R":
             R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R), R)

@@ -6,10 +6,11 @@ import numpy as np
 
 from ..core.frozen import freeze
 from ..models import checks as check
-from ..models.arguments import check_belief, check_model, check_series
+from ..models.arguments import check_input, check_series
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Filtered, read_only, scores
+from .lifting import difference_of, lifted
 from .moments import check_through, linearize
 from .steps import at_step, corrected_belief, predicted_belief
 
@@ -143,6 +144,8 @@ def mmae_filter(
 def _filter(given, models, z, initial, u, transition, weights, through):
     """The loop. Inside it the axis of the models comes first: beliefs (M, ..., n), logarithms of weights (M, ...)."""
     n, M = initial.mean.shape[-1], len(models)
+    for model in given:
+        check_input(model, u)
     checked = [check_series(model, z, initial, u) for model in models]
     z, u, _ = checked[0]
     batch = check.batches(**{f"model {j}": axes for j, (_, _, axes) in enumerate(checked)})
@@ -154,46 +157,55 @@ def _filter(given, models, z, initial, u, transition, weights, through):
     with np.errstate(divide="ignore"):
         log_transition = np.log(transition).reshape(M, M, *ones)
         log_weights = np.log(weights).reshape(M, *ones)
-    rows, total = [], 0.0
+    rows, total, apart = [], 0.0, difference_of(models)
     for k in range(z.shape[-2]):
-        beliefs, log_weights = _mix(beliefs, log_weights, log_transition)
+        beliefs, log_weights = _mix(beliefs, log_weights, log_transition, apart)
         beliefs, log_likelihood = _step(bank, beliefs, z[..., k, :], at_step(u, k), k, through)
         log_weights = log_weights + log_likelihood
         evidence = np.logaddexp.reduce(log_weights, axis=0)
         log_weights = log_weights - evidence
         total = total + evidence
         rows.append((log_weights, beliefs.mean, beliefs.cov))
-    return _track(rows, total, given)
+    return _track(rows, total, given, apart)
 
 
-def _track(rows, total, given):
+def _track(rows, total, given, apart):
     """The result: per step, the logarithms of the weights (M, ...), and the means and covariances of all models."""
     log_weights, means, covs = zip(*rows, strict=True)
     modes = unchecked_gaussian(np.stack(means, axis=-2), np.stack(covs, axis=-3))
     shares = np.exp(np.stack(log_weights, axis=-1))
     last = unchecked_gaussian(np.moveaxis(modes.mean, 0, -2), np.moveaxis(modes.cov, 0, -3))
-    return MultipleModelTrack(_mixture(shares, modes), np.moveaxis(shares, 0, -1), last, total, given)
+    return MultipleModelTrack(_mixture(shares, modes, apart), np.moveaxis(shares, 0, -1), last, total, given)
 
 
-def _mix(beliefs, log_weights, log_transition):
+def _mix(beliefs, log_weights, log_transition, apart):
     """What each model starts the step with, and how probable it is before the measurement."""
     joint = log_weights[:, None] + log_transition  # from model i to model j
     arriving = np.logaddexp.reduce(joint, axis=0)
     alive = np.isfinite(arriving)
     if alive.all():
-        return _mixture(np.exp(joint - arriving), beliefs), arriving
+        return _mixture(np.exp(joint - arriving), beliefs, apart), arriving
     own = np.eye(len(joint)).reshape(log_transition.shape)
-    return _mixture(np.where(alive, np.exp(joint - np.where(alive, arriving, 0)), own), beliefs), arriving
+    return _mixture(np.where(alive, np.exp(joint - np.where(alive, arriving, 0)), own), beliefs, apart), arriving
 
 
-def _mixture(shares, beliefs):
-    """Mean and covariance of a mixture of M beliefs (M, ..., n): shares (M, ...), or (M, J, ...) for J mixtures."""
-    shares = shares[..., None]
-    mean = sum(share * x for share, x in zip(shares, beliefs.mean, strict=True))
+def _mixture(shares, beliefs, apart=np.subtract):
+    """Mean and covariance of a mixture of M beliefs (M, ..., n): shares (M, ...), or (M, J, ...) for J mixtures.
+
+    apart: the difference of two states.
+    """
+    likeliest, shares = np.argmax(shares, axis=0)[..., None], shares[..., None]
+    if apart is np.subtract:
+        mean = sum(share * x for share, x in zip(shares, beliefs.mean, strict=True))
+    else:  # an angle has no mean, but differences from one model's angle have
+        origin = beliefs.mean[0]
+        for j, x in enumerate(beliefs.mean):
+            origin = np.where(likeliest == j, x, origin)
+        mean = origin + sum(share * apart(x, origin) for share, x in zip(shares, beliefs.mean, strict=True))
     cov = 0.0
     for share, x, P in zip(shares, beliefs.mean, beliefs.cov, strict=True):
-        apart = x - mean
-        cov = cov + share[..., None] * (P + apart[..., :, None] * apart[..., None, :])
+        off = apart(x, mean)
+        cov = cov + share[..., None] * (P + off[..., :, None] * off[..., None, :])
     return unchecked_gaussian(mean, cov)
 
 
@@ -201,57 +213,15 @@ def _step(bank, beliefs, z, u, k, through):
     """Every model predicts and corrects: beliefs (M, ..., n) and log-likelihoods (M, ...)."""
     if isinstance(bank, LinearModel):
         predicted = predicted_belief(bank, beliefs, u, k, linearize)
-        after, _, innovation = corrected_belief(bank, predicted, z, k, linearize)
+        after, _, innovation = corrected_belief(bank, predicted, z, k, linearize, u)
         return after, scores(innovation)[1]
     parts = []
     for model, mean, cov in zip(bank, beliefs.mean, beliefs.cov, strict=True):
         predicted = predicted_belief(model, unchecked_gaussian(mean, cov), u, k, through)
-        after, _, innovation = corrected_belief(model, predicted, z, k, through)
+        after, _, innovation = corrected_belief(model, predicted, z, k, through, u)
         parts.append((after.mean, after.cov, scores(innovation)[1]))
     means, covs, logs = (np.stack(part) for part in zip(*parts, strict=True))
     return unchecked_gaussian(means, covs), logs
-
-
-def lifted(models, initial, states):
-    """The models, each written for the whole state."""
-    if not isinstance(models, (list, tuple)) or not models:
-        raise TypeError(f"models must be a list of models, got {type(models).__name__}")
-    for model in models:
-        check_model(model)
-    measured = {model.m for model in models}
-    if len(measured) > 1:
-        raise ValueError(f"models must all measure the same components, got {sorted(measured)} of them")
-    if states is None:
-        for model in models:
-            check_belief("initial", initial, model)
-        return list(models)
-    if not isinstance(initial, Gaussian):
-        raise TypeError(f"initial must be a Gaussian, got {type(initial).__name__}")
-    n = initial.mean.shape[-1]
-    if not isinstance(states, (list, tuple)) or len(states) != len(models):
-        raise ValueError(f"states must be a list of {len(models)} lists, one for each model, got {states!r}")
-    return [_lift(model, n, kept) for model, kept in zip(models, states, strict=True)]
-
-
-def _lift(model, n, kept):
-    """A model of the states `kept` as a model of all n: the others stay at 0."""
-    try:
-        kept = [check.whole_number("each of states", i, least=0) for i in kept]
-    except TypeError:
-        raise TypeError(f"each of states must be a list of indices, got {kept!r}") from None
-    if len(set(kept)) != model.n or len(kept) != model.n or max(kept) >= n:
-        raise ValueError(f"each of states must hold as many different indices below {n} as its model has states")
-    E = np.eye(n)[:, kept]
-    if isinstance(model, LinearModel):
-        B = None if model.B is None else E @ model.B
-        return LinearModel(E @ model.F @ E.T, model.H @ E.T, E @ model.Q @ E.T, model.R, B)
-    return model.replace(
-        f=lambda x, *u: model.move(x[..., kept], *u) @ E.T,
-        h=lambda x: model.measure(x[..., kept]),
-        Q=E @ model.Q @ E.T,
-        F_jacobian=lambda x, *u: E @ model.move_slope(x[..., kept], *u) @ E.T,
-        H_jacobian=lambda x: model.measure_slope(x[..., kept]) @ E.T,
-    )
 
 
 def _bank(models, axes):

@@ -1,5 +1,7 @@
 """The Rauch–Tung–Striebel smoother: the belief about a moment given all measurements, before and after it."""
 
+from functools import partial
+
 import numpy as np
 
 from ..core.matrices import compact, congruence, root, symmetric
@@ -9,8 +11,9 @@ from ..models.arguments import check_model, check_stacks
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Filtered, LinearSteps, Track, read_only
-from .moments import Moments
+from .moments import AlongPath, Moments
 from .square_root import triangular
+from .steps import at_step
 
 
 def rts_smoother(model, track) -> Gaussian:
@@ -52,7 +55,7 @@ def rts_smoother(model, track) -> Gaussian:
         return track.filtered
     gain, left, index = _shared(model, track) or _of_each_step(model, track)
     P = _smoothed_covariances(gain, left, index, track.mean.shape[-2])
-    return read_only(unchecked_gaussian(track.mean + _shifts(track, gain, index), symmetric(P)))
+    return read_only(unchecked_gaussian(track.mean + _shifts(model, track, gain, index), symmetric(P)))
 
 
 def _shared(model, track):
@@ -136,9 +139,9 @@ def _smoothed_covariances(gain, left, index, T):
     return plan.each(plan.parts[0], T)[..., ::-1, :, :]
 
 
-def _shifts(track, gain, index):
+def _shifts(model, track, gain, index):
     """By how much means change: d_k = G_k (d_{k+1} + x̂_{k+1} − x⁻_{k+1}), backwards, with G = 0 at the last step."""
-    learnt = track.mean - track.predicted.mean
+    learnt = model.state_difference(track.mean, track.predicted.mean)
     ahead = np.concatenate([learnt[..., 1:, :], np.zeros_like(learnt[..., :1, :])], axis=-2)
     drive = matvec_each_step(gain, ahead, index)[..., ::-1, :]
     back = None if index is None else index[..., ::-1]
@@ -171,10 +174,26 @@ def _onward(model, track):
         return Moments(None, *congruence(F, now.cov), F)
     u = None if track.u is None else track.u[..., 1:, :]
     try:
-        return track.through(now, lambda x: model.move(x, u), lambda x: model.move_slope(x, u))
+        if model.by_steps("f", "F_jacobian") and not isinstance(track.through, AlongPath):
+            return _step_by_step(model, now, u, track.through)
+        moves = lambda x: model.move(x, u), lambda x: model.move_slope(x, u)
+        return track.through(now, *moves, model.state_difference)
     except (ValueError, TypeError, IndexError) as error:
         reason = str(error).split(". ")[0]
         raise ValueError(f"f {_ONE_BY_ONE}, got an error from all steps at once: {reason}") from error
+
+
+def _step_by_step(model, now, u, through):
+    """What _onward returns, for a function that changes from step to step: the first move is that to step 1."""
+    steps = []
+    for k in range(now.mean.shape[-2]):
+        belief, push = unchecked_gaussian(now.mean[..., k, :], now.cov[..., k, :, :]), at_step(u, k)
+        moves = partial(model.move, u=push, k=k + 1), partial(model.move_slope, u=push, k=k + 1)
+        steps.append(through(belief, *moves, model.state_difference))
+    mean, *matrices = zip(*steps, strict=True)
+    alone = (parts[0] is None or np.ndim(parts[0]) == 0 for parts in matrices)  # no basis, no rest
+    matrices = (parts[0] if lone else np.stack(parts, -3) for parts, lone in zip(matrices, alone, strict=True))
+    return Moments(np.stack(mean, -2), *matrices)
 
 
 _ONE_BY_ONE = "must treat every state alone, whatever axes stand before the last (write x[..., 0], not x[0] or x.T)"
@@ -188,7 +207,8 @@ def _check_same(model, track, moved, Q, P_next):
     same = (abs(moved.cov + Q - P_next) <= allowed).all()
     if same and moved.mean is not None:
         mean = track.predicted.mean[..., 1:, :]
-        same = (abs(moved.mean - mean) <= 1e-6 * std + 1e-9 * np.max(abs(mean), axis=-2, keepdims=True)).all()
+        largest = np.max(abs(mean), axis=-2, keepdims=True)
+        same = (abs(model.state_difference(moved.mean, mean)) <= 1e-6 * std + 1e-9 * largest).all()
     if same:
         return
     if model is track.model:

@@ -13,6 +13,7 @@ from ..core.matrices import compact, matvec, step_matrix, symmetric
 from ..models import checks as check
 from ..models.arguments import check_belief, check_control, check_measure, check_model, check_move, check_step
 from ..models.gaussian import Gaussian, unchecked_gaussian
+from ..models.jumps import watched
 from ..models.state_space import LinearModel, NonlinearModel
 from ..results.track import read_only
 from .moments import check_through, linearize
@@ -59,16 +60,13 @@ def predict(model, belief, u=None, *, k=0, through=linearize) -> Gaussian:
     check_through(through)
     check_belief("belief", belief, model)
     axes = check_step(model, k)
-    if u is not None:
-        u = np.atleast_1d(check.numbers("u", u))
-        check_control(model, u)
-        axes["u"] = u.shape[:-1]
+    u = _control(model, u, axes)
     belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, **axes))
-    check_move(model, belief.mean, u)
+    check_move(model, belief.mean, u, k=k)
     return read_only(predicted_belief(model, belief, u, k, through))
 
 
-def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
+def correct(model, belief, z, *, u=None, k=0, through=linearize) -> Gaussian:
     """The belief after the measurement z: eqs (7)–(9).
 
     Parameters
@@ -79,8 +77,8 @@ def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
         What was predicted, mean (..., n).
     z : array_like
         (m,) or (..., m), or a number when m = 1; NaN marks components that were not measured.
-    k, through
-        As in predict.
+    u, k, through
+        As in predict; u is for h(x, u).
 
     Returns
     -------
@@ -107,9 +105,10 @@ def correct(model, belief, z, *, k=0, through=linearize) -> Gaussian:
     check_belief("belief", belief, model)
     axes = check_step(model, k)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
+    u = _control(model, u, axes)
     belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, z=z.shape[:-1], **axes))
-    check_measure(model, belief.mean)
-    return read_only(corrected_belief(model, belief, z, k, through)[0])
+    check_measure(model, belief.mean, u, k=k)
+    return read_only(corrected_belief(model, belief, z, k, through, u)[0])
 
 
 def kalman_step(z, R, x=None, P=None, F=None, H=None, Q=None, B=None, u=None) -> Gaussian:
@@ -211,25 +210,39 @@ def at_step(series, k):
     return None if series is None else series[..., k, :]
 
 
+def along(model, name, function, x, u, axis=-2, first=0):
+    """One of a model's functions at states of successive steps, x (..., T, n), the first of which is `first`.
+
+    name: which of f, h and their Jacobians it is; axis: where the axis of the steps goes, -3 for matrices. All steps
+    are computed at once, where none has a function of its own.
+    """
+    if not model.by_steps(name, name[0].lower()):
+        return function(x, u, None)  # no single step
+    values = [function(x[..., k, :], at_step(u, k), k + first) for k in range(x.shape[-2])]
+    return np.stack(np.broadcast_arrays(*values), axis=axis)
+
+
 def predicted_belief(model, belief, u, k, through, Q=None):
     """The belief one step later, nothing checked but what f returns; Q: in place of the model's own."""
-    moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k))
+    difference = watched(model, "f", belief.mean, u, k)
+    moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k), difference)
     # A quick test: a sum is finite only if all its terms are.
     if isinstance(model, NonlinearModel) and not isfinite(moved.mean.sum()):
         _check_finite("f", moved.mean, belief, k)
     return unchecked_gaussian(moved.mean, symmetric(moved.cov + (step_matrix(model.Q, k) if Q is None else Q)))
 
 
-def corrected_belief(model, predicted, z, k, through):
+def corrected_belief(model, predicted, z, k, through, u=None):
     """The belief after a measurement, the gain, and the innovation with its covariance; arguments are not checked."""
-    expected, innovation = expected_measurement(model, predicted, z, k, through)
+    expected, innovation = expected_measurement(model, predicted, z, k, through, u)
     return condition(predicted, expected, innovation, step_matrix(model.R, k), k)
 
 
-def expected_measurement(model, predicted, z, k, through):
+def expected_measurement(model, predicted, z, k, through, u=None):
     """What the measurement should be, Moments without its noise, and the innovation z − ẑ."""
-    expected = through(predicted, lambda x: model.measure(x, k), lambda x: model.measure_slope(x, k), model.difference)
-    return expected, model.difference(z, expected.mean)
+    difference = watched(model, "h", predicted.mean, u, k)
+    expected = through(predicted, lambda x: model.measure(x, u, k), lambda x: model.measure_slope(x, u, k), difference)
+    return expected, difference(z, expected.mean)
 
 
 def condition(predicted, expected, innovation, R, k):
@@ -261,6 +274,15 @@ def _check_finite(name, values, belief, k):
     odd = values[~np.isfinite(values)]
     if odd.size and np.isfinite(belief.mean).all():
         raise ValueError(f"{name} must return finite numbers, found {odd[0]} at step {k}")
+
+
+def _control(model, u, axes):
+    """The control input of one step (..., p), after it was looked at; its batch axes are added to `axes`."""
+    if u is not None:
+        u = np.atleast_1d(check.numbers("u", u))
+        check_control(model, u)
+        axes["u"] = u.shape[:-1]
+    return u
 
 
 def _with_a_mean_each(belief, batch):
