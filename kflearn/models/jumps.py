@@ -119,13 +119,13 @@ def _values(function, points):
 def jumps_of(function, x, scale) -> set[tuple[int, int]]:
     """Which components of a function (..., n) → (..., m) jump by which turn of TURNS, somewhere around x (n,)?
 
-    Lines through x, along each component and in random directions, are tried at points from 1/1000 to 1000 times the
+    Lines through x, along each component and in random directions, are tried at points from 1/500 to 2000 times the
     size of x away. Where neighbours differ by about a turn, the interval is halved until it is a point: there a jump
     keeps its height, and a slope does not.
     """
     size, directions = np.maximum(abs(x), scale), _directions(len(x))
-    for reach in (3, 0):
-        steps = np.logspace(-3, reach, 20 * (reach + 3))
+    for reach in (3, 1, 0):
+        steps = 2 * np.logspace(-3, reach, 20 * (reach + 3))
         points = x + np.concatenate([-steps[::-1], [0], steps])[:, None, None] * directions * size
         values = _values(function, points)
         if values is not None:
