@@ -86,7 +86,8 @@ def extended_kalman_filter(model, z, initial, u=None) -> Track:
     Raises
     ------
     ValueError, TypeError
-        Naming the argument; also when f or h returns NaN, naming the function and the step (counted from 0).
+        Naming the argument; also when f or h returns NaN, or jumps by a turn where no difference for it was given,
+        naming the function and the step (counted from 0).
 
     References
     ----------

@@ -58,16 +58,22 @@ def _known(model, name):
 def _look(model, name, jumps, apart, at):
     """Raise an error if a component of the differences `apart` (..., m) is beyond half a turn, and jumps by a turn."""
     far = abs(np.where(np.isfinite(apart), apart, 0)).reshape(-1, apart.shape[-1])
-    for pair in map(tuple, np.argwhere(far.max(axis=0)[:, None] > jumps["limits"])):
-        row = np.unravel_index(np.argmax(far[:, pair[0]]), apart.shape[:-1])
+
+    def place(rows):
+        """The functions, the state and the step where the largest of `rows` was found."""
+        row = np.unravel_index(np.argmax(rows), apart.shape[:-1])
         x, u = (_of_run(each, row) for each in at[:2])
         k = row[-1] if at[2] is None else at[2]
-        functions = _functions(model, name, u, k)
-        if jumps["found"] is None:
-            within = [_within_turns(function, x, model.scale) for function in functions.values()]
-            _exclude(jumps, ~np.logical_or.reduce(np.broadcast_arrays(*within)))
-            jumps["found"] = {}
-        if pair not in jumps["found"] and np.isfinite(jumps["limits"][pair]):
+        return _functions(model, name, u, k), x, k
+
+    if jumps["found"] is None:
+        functions, x, _ = place(far.max(axis=1))
+        within = [_within_turns(function, x, model.scale) for function in functions.values()]
+        _exclude(jumps, ~np.logical_or.reduce(np.broadcast_arrays(*within)))
+        jumps["found"] = {}
+    for pair in map(tuple, np.argwhere(far.max(axis=0)[:, None] > jumps["limits"])):
+        functions, x, k = place(far[:, pair[0]])
+        if pair not in jumps["found"]:
             for what, function in functions.items():
                 jumps["found"] |= dict.fromkeys(jumps_of(function, x, model.scale) - set(jumps["found"]), what)
         if pair in jumps["found"]:
@@ -77,6 +83,7 @@ def _look(model, name, jumps, apart, at):
 
 def _exclude(jumps, which):
     """Nothing is suspicious any more in these components and turns."""
+    jumps["limits"] = jumps["limits"].copy()  # read-only in a copied model
     jumps["limits"][which] = np.inf
     jumps["least"] = jumps["limits"].min(axis=1)
     jumps["watch"] = bool(np.isfinite(jumps["least"]).any())

@@ -258,11 +258,6 @@ def test_a_smaller_model_keeps_its_headings():
     initial = Gaussian(shuffled @ start.mean, shuffled @ start.cov @ shuffled.T)
     how = dict(**PAIR, states=[[2, 0], [0, 1, 2]])
     expected = imm_filter([straight, large], z, initial, **how)
-    for models in (
-        [small, bent],
-        [small, bent.replace(state_residual=bent.state_residual, F_jacobian=lambda x: large.F)],
-    ):
-        track = imm_filter(models, folded, initial, **how)
-        apart = difference((track.mean - expected.mean) @ shuffled, np.zeros(3))
-        np.testing.assert_allclose(apart, 0, atol=1e-6)
-        close(track.cov, expected.cov, 1e-6)
+    track = imm_filter([small, bent], folded, initial, **how)
+    np.testing.assert_allclose(difference((track.mean - expected.mean) @ shuffled, np.zeros(3)), 0, atol=1e-6)
+    close(track.cov, expected.cov, 1e-6)

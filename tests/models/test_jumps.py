@@ -1,5 +1,7 @@
 """Angles that wrap in f or h without a difference for them: named where they do harm, and only there."""
 
+import copy
+
 import numpy as np
 import pytest
 
@@ -172,6 +174,11 @@ def test_all_is_as_before_where_nothing_jumps():
     assert counts[0] - counts[1] <= 3
     assert not model.jumps["h"]["watch"]
     assert model.replace(R=7).jumps is model.jumps
+    fresh = scene.model.replace(h=scene.model.h)
+    correct(fresh, scene.initial, fresh.h(scene.initial.mean))  # nothing suspicious so far
+    again = copy.deepcopy(fresh)
+    np.testing.assert_array_equal(unscented_kalman_filter(again, data.z, scene.initial).mean, expected.mean)
+    assert not again.jumps["h"]["watch"]
     assert model.replace(h=scene.model.h).jumps == {}
 
 
