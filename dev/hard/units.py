@@ -143,10 +143,11 @@ def rescaled(case, X, Z):
     else:
         model = model.replace(
             f=lambda x, *u: X * own.f(x / X, *u),
-            h=lambda x: Z * own.h(x / X),
+            h=lambda x, u=None, k=0: Z * own.measure(x / X, u, k),
             F_jacobian=own.F_jacobian and (lambda x, *u: X[:, None] * own.F_jacobian(x / X, *u) / X),
-            H_jacobian=own.H_jacobian and (lambda x: Z[:, None] * own.H_jacobian(x / X) / X),
+            H_jacobian=own.H_jacobian and (lambda x, u=None, k=0: Z[:, None] * own.measure_slope(x / X, u, k) / X),
             residual=lambda z, expected: Z * own.difference(z / Z, expected / Z),
+            state_residual=lambda x, other: X * own.state_difference(x / X, other / X),
             scale=X * own.scale,
         )
     initial = Gaussian(X * case.initial.mean, XX * case.initial.cov)

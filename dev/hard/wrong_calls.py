@@ -29,8 +29,8 @@ def good():
         F=np.array([[1.0, 1.0], [0.0, 1.0]]), H=np.array([[1.0, 0.0]]), Q=np.eye(2), R=np.array([[2.0]]),
         B=np.array([[0.5], [1.0]]), mean=np.array([0.0, 1.0]), cov=4 * np.eye(2), z=np.array([1.0, np.nan, 3.0]),
         u=np.array([0.0, 1.0, 0.0]), truth=np.ones((3, 2)), model=None, initial=None, track=None, models=None, f=turn,
-        h=first, F_jacobian=None, H_jacobian=None, residual=None, scale=1.0, nominal=None, dt=0.5, rate=0.2, mass=2.0,
-        acceleration=1.0, acceleration_increment=1.0, window=2, lags=1,
+        h=first, F_jacobian=None, H_jacobian=None, residual=None, scale=1.0, state_residual=None,
+        nominal=None, dt=0.5, rate=0.2, mass=2.0, acceleration=1.0, acceleration_increment=1.0, window=2, lags=1,
         transition=np.array([[0.9, 0.1], [0.2, 0.8]]), mode_probabilities=np.array([0.5, 0.5]), states=None, dof=2,
         runs=3, probability=0.9, sigmas=2.0, k=0, indices=[0], other=None,
     )  # fmt: skip
@@ -61,7 +61,8 @@ def linear(g):
 
 def bent(g):
     return g.made(
-        "model", lambda g: NonlinearModel(g.f, g.h, g.Q, g.R, g.F_jacobian, g.H_jacobian, g.residual, g.scale)
+        "model",
+        lambda g: NonlinearModel(g.f, g.h, g.Q, g.R, g.F_jacobian, g.H_jacobian, g.residual, g.scale, g.state_residual),
     )
 
 

@@ -90,11 +90,11 @@ def adaptive_kalman_filter(
     innovations, alpha = _carried_on(before, window, z.shape[-2], batch, model.m)
     belief, steps = starting_belief(initial, batch), []
     for k in range(z.shape[-2]):
-        R, Q = step_matrix(model.R, k), step_matrix(model.Q, k)
+        R, Q, push = step_matrix(model.R, k), step_matrix(model.Q, k), at_step(u, k)
         if adapt == "Q":
             Q = alpha[..., None, None] * Q
-        predicted = predicted_belief(model, belief, at_step(u, k), k, through, Q)
-        expected, innovation = expected_measurement(model, predicted, z[..., k, :], k, through)
+        predicted = predicted_belief(model, belief, push, k, through, Q)
+        expected, innovation = expected_measurement(model, predicted, z[..., k, :], k, through, push)
         C, ready = innovations.take(innovation)
         if adapt == "R":
             R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R), R)

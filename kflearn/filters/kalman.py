@@ -22,12 +22,13 @@ import numpy as np
 
 from ..models import checks as check
 from ..models.arguments import check_model, check_series
+from ..models.jumps import watched
 from ..models.state_space import LinearModel
 from ..results.track import StackedSteps, Track, stack_in_time
 from .gate import gate_limits
 from .linear import covariance_step, linear_filter
 from .moments import AlongPath, cubature, linearize, unscented
-from .steps import at_step, corrected_belief, predicted_belief, starting_belief
+from .steps import along, at_step, corrected_belief, predicted_belief, starting_belief
 
 
 def kalman_filter(model, z, initial, u=None, *, gate=None) -> Track:
@@ -91,7 +92,8 @@ def extended_kalman_filter(model, z, initial, u=None, *, gate=None) -> Track:
     Raises
     ------
     ValueError, TypeError
-        Naming the argument; also when f or h returns NaN, naming the function and the step (counted from 0).
+        Naming the argument; also when f or h returns NaN, or jumps by a turn where no difference for it was given,
+        naming the function and the step (counted from 0).
 
     References
     ----------
@@ -235,13 +237,17 @@ def _tangents(model, z, start, u, nominal):
     n = model.n
     first = np.broadcast_to(start[..., None, :], (*nominal.shape[:-2], 1, n))
     before = np.concatenate([first, nominal[..., :-1, :]], axis=-2)
-    moved = _finite_series("f", model.move(before, u))
-    expected = _finite_series("h", model.measure(nominal))
-    F = np.broadcast_to(model.move_slope(before, u), (*before.shape, n))
-    H = np.broadcast_to(model.measure_slope(nominal), (*nominal.shape[:-1], model.m, n))
+    moved = _finite_series("f", along(model, "f", model.move, before, u))
+    if model.state_residual is not None:  # the same path, its angles written as f writes them
+        nominal = moved + model.state_difference(nominal, moved)
+        before = np.concatenate([first, nominal[..., :-1, :]], axis=-2)
+    expected = _finite_series("h", along(model, "h", model.measure, nominal, u))
+    F = np.broadcast_to(along(model, "F_jacobian", model.move_slope, before, u, -3), (*before.shape, n))
+    H = along(model, "H_jacobian", model.measure_slope, nominal, u, -3)
+    H = np.broadcast_to(H, (*nominal.shape[:-1], model.m, n))
     # f(x) ≈ F x + what F does not explain at the nominal state, which acts like a control input; h alike.
     push = moved - np.matvec(F, before)
-    z = model.difference(z, expected) + np.matvec(H, nominal)
+    z = watched(model, "h", nominal, u, None)(z, expected) + np.matvec(H, nominal)
     return LinearModel(F, H, model.Q, model.R, np.eye(n)), z, push
 
 
@@ -269,8 +275,9 @@ def gaussian_filter(model, z, initial, u, through, gate=None) -> Track:
     z, u, batch = check_series(model, z, initial, u)
     belief, limits, steps = starting_belief(initial, batch), gate_limits(gate, model.m), []
     for k in range(z.shape[-2]):
-        predicted = predicted_belief(model, belief, at_step(u, k), k, through)
-        belief, *parts = corrected_belief(model, predicted, z[..., k, :], k, through, limits)
+        push = at_step(u, k)
+        predicted = predicted_belief(model, belief, push, k, through)
+        belief, *parts = corrected_belief(model, predicted, z[..., k, :], k, through, push, limits)
         steps.append((predicted, belief, *parts))
     predicted, filtered, innovation, gains, refused = zip(*steps, strict=True)
     later, refused = StackedSteps(predicted, innovation), None if limits is None else np.stack(refused, -1)

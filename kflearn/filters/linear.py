@@ -123,7 +123,7 @@ def gated_filter(model, z, belief, u, step, carry, through, gate):
     with np.errstate(all="ignore"):  # what goes wrong is found below, and said with its step
         for k in range(z.shape[-2]):
             x = model.move(x, at_step(u, k), k)
-            y, lost = z[..., k, :] - model.measure(x, k), missing[..., k, :]
+            y, lost = z[..., k, :] - model.measure(x, k=k), missing[..., k, :]
             one = partial(step, carried, *(step_matrix(M, k) for M in _matrices(model)))
             after, parts = one(lost if lost.any() else None)
             refused = beyond(limits, unchecked_gaussian(y, parts.S), parts.S_root)

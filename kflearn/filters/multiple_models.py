@@ -6,10 +6,11 @@ import numpy as np
 
 from ..core.frozen import freeze
 from ..models import checks as check
-from ..models.arguments import check_belief, check_model, check_series
+from ..models.arguments import check_input, check_series
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Filtered, read_only, scores
+from .lifting import difference_of, lifted
 from .mixture import mix, mixture
 from .moments import check_through, linearize
 from .steps import at_step, corrected_belief, predicted_belief
@@ -89,8 +90,9 @@ def imm_filter(
     >>> print([f"{probability:.2f}" for probability in track.mode_probabilities[-2:, 1]])  # lively, around the jump
     ['0.13', '0.94']
     """
-    given, models = models, lifted(models, initial, states)
+    given, models = models, lifted(models, _together(initial), states)
     check_through(through)
+    _check_as_many(initial, len(models))
     M = len(models)
     weights = _weights(initial, mode_probabilities, M)
     transition = check.numbers("transition", transition)
@@ -137,8 +139,9 @@ def mmae_filter(
     >>> print(f"R = 9 has the probability {mmae_filter(bank, z, Gaussian(0, 1)).mode_probabilities[-1, 1]:.3f}")
     R = 9 has the probability 1.000
     """
-    given, models = models, lifted(models, initial, states)
+    given, models = models, lifted(models, _together(initial), states)
     check_through(through)
+    _check_as_many(initial, len(models))
     weights = _weights(initial, mode_probabilities, len(models))
     return _filter(tuple(given), models, z, initial, u, np.eye(len(models)), weights, through)
 
@@ -146,6 +149,8 @@ def mmae_filter(
 def _filter(given, models, z, initial, u, transition, weights, through):
     """The loop. Inside it the axis of the models comes first: beliefs (M, ..., n), logarithms of weights (M, ...)."""
     M = len(models)
+    for model in given:
+        check_input(model, u)
     checked = [check_series(model, z, _together(initial), u) for model in models]
     z, u, _ = checked[0]
     batch = check.batches(**{f"model {j}": axes for j, (_, _, axes) in enumerate(checked)})
@@ -153,16 +158,16 @@ def _filter(given, models, z, initial, u, transition, weights, through):
     with np.errstate(divide="ignore"):
         log_transition = np.log(transition).reshape(M, M, *(1,) * len(batch))
     log_weights = np.moveaxis(np.broadcast_to(weights, (*batch, M)), -1, 0)
-    rows, total = [], 0.0
+    rows, total, apart = [], 0.0, difference_of(models)
     for k in range(z.shape[-2]):
-        beliefs, log_weights = mix(beliefs, log_weights, log_transition)
+        beliefs, log_weights = mix(beliefs, log_weights, log_transition, apart)
         beliefs, log_likelihood = _step(bank, beliefs, z[..., k, :], at_step(u, k), k, through)
         log_weights = log_weights + log_likelihood
         evidence = np.logaddexp.reduce(log_weights, axis=0)
         log_weights = log_weights - evidence
         total = total + evidence
         rows.append((log_weights, beliefs.mean, beliefs.cov))
-    return _track(rows, total, given)
+    return _track(rows, total, given, apart)
 
 
 def _weights(initial, mode_probabilities, M):
@@ -175,6 +180,13 @@ def _weights(initial, mode_probabilities, M):
     weights = equal if mode_probabilities is None else _probabilities("mode_probabilities", mode_probabilities, M)
     with np.errstate(divide="ignore"):
         return np.log(weights)
+
+
+def _check_as_many(initial, M):
+    """A track to go on from has to be one of as many models."""
+    if isinstance(initial, MultipleModelTrack) and initial.mode_probabilities.shape[-1] != M:
+        found = initial.mode_probabilities.shape[-1]
+        raise ValueError(f"initial must be a track of as many models as are given, {M}, got one of {found}")
 
 
 def _together(initial):
@@ -194,75 +206,29 @@ def _beliefs(initial, M, batch):
     return unchecked_gaussian(np.moveaxis(mean, -2, 0), np.moveaxis(cov, -3, 0))
 
 
-def _track(rows, total, given):
+def _track(rows, total, given, apart):
     """The result: per step, the logarithms of the weights (M, ...), and the means and covariances of all models."""
     log_weights, means, covs = zip(*rows, strict=True)
     modes = unchecked_gaussian(np.stack(means, axis=-2), np.stack(covs, axis=-3))
     shares = np.exp(np.stack(log_weights, axis=-1))
     last = unchecked_gaussian(np.moveaxis(modes.mean, 0, -2), np.moveaxis(modes.cov, 0, -3))
     end = np.moveaxis(log_weights[-1], 0, -1)
-    return MultipleModelTrack(mixture(shares, modes), np.moveaxis(shares, 0, -1), last, total, given, end)
+    return MultipleModelTrack(mixture(shares, modes, apart), np.moveaxis(shares, 0, -1), last, total, given, end)
 
 
 def _step(bank, beliefs, z, u, k, through):
     """Every model predicts and corrects: beliefs (M, ..., n) and log-likelihoods (M, ...)."""
     if isinstance(bank, LinearModel):
         predicted = predicted_belief(bank, beliefs, u, k, linearize)
-        made = corrected_belief(bank, predicted, z, k, linearize)
+        made = corrected_belief(bank, predicted, z, k, linearize, u)
         return made.belief, scores(made.innovation)[1]
     parts = []
     for model, mean, cov in zip(bank, beliefs.mean, beliefs.cov, strict=True):
         predicted = predicted_belief(model, unchecked_gaussian(mean, cov), u, k, through)
-        made = corrected_belief(model, predicted, z, k, through)
+        made = corrected_belief(model, predicted, z, k, through, u)
         parts.append((made.belief.mean, made.belief.cov, scores(made.innovation)[1]))
     means, covs, logs = (np.stack(part) for part in zip(*parts, strict=True))
     return unchecked_gaussian(means, covs), logs
-
-
-def lifted(models, initial, states):
-    """The models, each written for the whole state."""
-    if not isinstance(models, (list, tuple)) or not models:
-        raise TypeError(f"models must be a list of models, got {type(models).__name__}")
-    for model in models:
-        check_model(model)
-    measured = {model.m for model in models}
-    if len(measured) > 1:
-        raise ValueError(f"models must all measure the same components, got {sorted(measured)} of them")
-    if isinstance(initial, MultipleModelTrack) and initial.mode_probabilities.shape[-1] != len(models):
-        M = initial.mode_probabilities.shape[-1]
-        raise ValueError(f"initial must be a track of as many models as are given, {len(models)}, got one of {M}")
-    initial = _together(initial)
-    if states is None:
-        for model in models:
-            check_belief("initial", initial, model)
-        return list(models)
-    if not isinstance(initial, Gaussian):
-        raise TypeError(f"initial must be a Gaussian, got {type(initial).__name__}")
-    n = initial.mean.shape[-1]
-    if not isinstance(states, (list, tuple)) or len(states) != len(models):
-        raise ValueError(f"states must be a list of {len(models)} lists, one for each model, got {states!r}")
-    return [_lift(model, n, kept) for model, kept in zip(models, states, strict=True)]
-
-
-def _lift(model, n, kept):
-    """A model of the states `kept` as a model of all n: the others stay at 0."""
-    try:
-        kept = [check.whole_number("each of states", i, least=0) for i in kept]
-    except TypeError:
-        raise TypeError(f"each of states must be a list of indices, got {kept!r}") from None
-    if len(set(kept)) != model.n or len(kept) != model.n or max(kept) >= n:
-        raise ValueError(f"each of states must hold as many different indices below {n} as its model has states")
-    E = np.eye(n)[:, kept]
-    if isinstance(model, LinearModel):
-        B = None if model.B is None else E @ model.B
-        return LinearModel(E @ model.F @ E.T, model.H @ E.T, E @ model.Q @ E.T, model.R, B)
-    return model.replace(
-        f=lambda x, *u: model.move(x[..., kept], *u) @ E.T,
-        h=lambda x: model.measure(x[..., kept]),
-        Q=E @ model.Q @ E.T,
-        F_jacobian=lambda x, *u: E @ model.move_slope(x[..., kept], *u) @ E.T,
-        H_jacobian=lambda x: model.measure_slope(x[..., kept]) @ E.T,
-    )
 
 
 def _bank(models, axes):

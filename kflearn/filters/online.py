@@ -10,6 +10,7 @@ from ..core.matrices import step_matrix
 from ..models import checks as check
 from ..models.arguments import check_belief, check_control, check_measure, check_model, check_move, check_stacks
 from ..models.gaussian import Gaussian, unchecked_gaussian
+from ..models.jumps import watched
 from ..models.state_space import LinearModel, stacks
 from ..results.track import read_only, scores
 from .gate import gate_limits
@@ -69,7 +70,7 @@ class OnlineFilter:
         lead = {name: M.shape[:-3] for name, M in stacks(model).items()}
         batch = check.batches(initial=initial.batch, **lead)
         self._mean, self._cov = np.broadcast_to(initial.mean, (*batch, model.n)), initial.cov
-        self._last, self._untried = None, {"f(x)", "f(x, u)", "h(x)"}
+        self._last, self._u, self._untried = None, None, {"f(x)", "f(x, u)", "h(x)"}
         self._quick = batch == () and through is linearize
         self._linear = isinstance(model, LinearModel)
         self._one, self._ones_n, self._ones_m = np.eye(model.n), np.ones(model.n), np.ones(model.m)
@@ -84,17 +85,17 @@ class OnlineFilter:
         if u is not None:
             u = self._input(u)
         if self._untried and (task := "f(x)" if u is None else "f(x, u)") in self._untried:
-            check_move(model, self._mean, u)
+            check_move(model, self._mean, u, k=k)
             self._untried.discard(task)
         if self._quick:
             F, Q = model.move_slope(self._mean, u, k), step_matrix(model.Q, k)
             x = F.dot(self._mean) if self._linear and u is None else model.move(self._mean, u, k)  # (5)
             P = F.dot(self._cov).dot(F.T) + Q  # (6)
             if isfinite(x.dot(self._ones_n)):
-                self._mean, self._cov, self.k = x, P, k
+                self._mean, self._cov, self._u, self.k = x, P, u, k
                 return
         made = predicted_belief(model, self._now(), u, k, self.through)  # any other case, and every error
-        self._mean, self._cov, self.k = made.mean, made.cov, k
+        self._mean, self._cov, self._u, self.k = made.mean, made.cov, u, k
 
     def correct(self, z) -> None:
         """Take in the reading z (m,) of this step, or a number when m = 1: eqs (7)–(9). NaN: not measured."""
@@ -104,32 +105,33 @@ class OnlineFilter:
         elif type(z) is not np.ndarray or z.dtype != float or z.shape != self._ones_m.shape:
             z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
         if "h(x)" in self._untried:
-            check_measure(model, self._mean)
+            check_measure(model, self._mean, self._u, k=k)
             self._untried.discard("h(x)")
         made = self._corrected(z, k) if self._quick and z.ndim == 1 else None
         if made is None:  # any other case, and every error
             check.numbers("z", z, gaps=True)
-            after, innovation, gain, refused = corrected_belief(model, self._now(), z, k, self.through, self._limits)
+            how = k, self.through, self._u, self._limits
+            after, innovation, gain, refused = corrected_belief(model, self._now(), z, *how)
             refused = np.zeros(innovation.batch, bool) if refused is None else refused
             made = after.mean, after.cov, (innovation.mean, innovation.cov, gain, refused)
         self._mean, self._cov, self._last = made
 
     def step(self, z, u=None) -> None:
         """Predict with the control input u, then correct with the reading z: one step of a filter."""
-        before = self._mean, self._cov, self.k
+        before = self._mean, self._cov, self._u, self.k
         self.predict(u)
         try:
             self.correct(z)
         except Exception:
-            self._mean, self._cov, self.k = before  # a reading that is no reading takes the whole step back
+            self._mean, self._cov, self._u, self.k = before  # a reading that is no reading takes the whole step back
             raise
 
     def _corrected(self, z, k):
         """Eqs (7)–(9) for one run along the tangent: x, P and what is told of the reading; None where it fails."""
         model, x, P = self.model, self._mean, self._cov
-        H, R = model.measure_slope(x, k), step_matrix(model.R, k)
-        expected = H.dot(x) if self._linear else model.measure(x, k)
-        y = used = model.difference(z, expected)
+        H, R = model.measure_slope(x, self._u, k), step_matrix(model.R, k)
+        expected = H.dot(x) if self._linear else model.measure(x, self._u, k)
+        y = used = z - expected if self._linear else watched(model, "h", x, self._u, k)(z, expected)
         C = P.dot(H.T)
         S, seen = H.dot(C) + R, len(y)
         rest = S

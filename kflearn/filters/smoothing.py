@@ -1,5 +1,7 @@
 """The Rauch–Tung–Striebel smoother: the belief about a moment given all measurements, before and after it."""
 
+from functools import partial
+
 import numpy as np
 
 from ..core.matrices import compact, congruence, root
@@ -10,8 +12,9 @@ from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Filtered, LinearSteps, Track, read_only
 from .linear import plan_steps
-from .moments import Moments
+from .moments import AlongPath, Moments
 from .square_root import square_root_step, triangular
+from .steps import at_step
 
 
 def rts_smoother(model, track) -> Gaussian:
@@ -192,10 +195,26 @@ def _onward(model, track):
         return Moments(None, *congruence(F, now.cov), F)
     u = None if track.u is None else track.u[..., 1:, :]
     try:
-        return track.through(now, lambda x: model.move(x, u), lambda x: model.move_slope(x, u))
+        if model.by_steps("f", "F_jacobian") and not isinstance(track.through, AlongPath):
+            return _step_by_step(model, now, u, track.through)
+        moves = lambda x: model.move(x, u), lambda x: model.move_slope(x, u)
+        return track.through(now, *moves, model.state_difference)
     except (ValueError, TypeError, IndexError) as error:
         reason = str(error).split(". ")[0]
         raise ValueError(f"f {_ONE_BY_ONE}, got an error from all steps at once: {reason}") from error
+
+
+def _step_by_step(model, now, u, through):
+    """What _onward returns, for a function that changes from step to step: the first move is that to step 1."""
+    steps = []
+    for k in range(now.mean.shape[-2]):
+        belief, push = unchecked_gaussian(now.mean[..., k, :], now.cov[..., k, :, :]), at_step(u, k)
+        moves = partial(model.move, u=push, k=k + 1), partial(model.move_slope, u=push, k=k + 1)
+        steps.append(through(belief, *moves, model.state_difference))
+    mean, *matrices = zip(*steps, strict=True)
+    alone = (parts[0] is None or np.ndim(parts[0]) == 0 for parts in matrices)  # no basis, no rest
+    matrices = (parts[0] if lone else np.stack(parts, -3) for parts, lone in zip(matrices, alone, strict=True))
+    return Moments(np.stack(mean, -2), *matrices)
 
 
 _ONE_BY_ONE = "must treat every state alone, whatever axes stand before the last (write x[..., 0], not x[0] or x.T)"
@@ -209,7 +228,8 @@ def _check_same(model, track, moved, Q, P_next):
     same = (abs(moved.cov + Q - P_next) <= allowed).all()
     if same and moved.mean is not None:
         mean = track.predicted.mean[..., 1:, :]
-        same = (abs(moved.mean - mean) <= 1e-6 * std + 1e-9 * np.max(abs(mean), axis=-2, keepdims=True)).all()
+        largest = np.max(abs(mean), axis=-2, keepdims=True)
+        same = (abs(model.state_difference(moved.mean, mean)) <= 1e-6 * std + 1e-9 * largest).all()
     if same:
         return
     if model is track.model:

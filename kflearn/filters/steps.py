@@ -14,6 +14,7 @@ from ..core.matrices import compact, matvec, step_matrix, symmetric, with_batch
 from ..models import checks as check
 from ..models.arguments import check_belief, check_control, check_measure, check_model, check_move, check_step
 from ..models.gaussian import Gaussian, unchecked_gaussian
+from ..models.jumps import watched
 from ..models.state_space import LinearModel, NonlinearModel
 from ..results.track import read_only
 from .gate import Correction, beyond, gate_limits
@@ -62,24 +63,21 @@ def predict(model, belief, u=None, *, k=0, through=linearize) -> Gaussian:
     check_through(through)
     check_belief("belief", belief, model)
     axes = check_step(model, k)
-    if u is not None:
-        u = np.atleast_1d(check.numbers("u", u))
-        check_control(model, u)
-        axes["u"] = u.shape[:-1]
+    u = _control(model, u, axes)
     belief = _with_a_mean_each(belief, check.batches(belief=belief.batch, **axes))
-    check_move(model, belief.mean, u)
+    check_move(model, belief.mean, u, k=k)
     return read_only(predicted_belief(model, belief, u, k, through), series=False)
 
 
 @overload
-def correct(model, belief, z, *, k=..., through=..., gate=..., details: Literal[False] = ...) -> Gaussian: ...
+def correct(model, belief, z, *, u=..., k=..., through=..., gate=..., details: Literal[False] = ...) -> Gaussian: ...
 
 
 @overload
-def correct(model, belief, z, *, k=..., through=..., gate=..., details: Literal[True]) -> Correction: ...
+def correct(model, belief, z, *, u=..., k=..., through=..., gate=..., details: Literal[True]) -> Correction: ...
 
 
-def correct(model, belief, z, *, k=0, through=linearize, gate=None, details=False) -> Gaussian | Correction:
+def correct(model, belief, z, *, u=None, k=0, through=linearize, gate=None, details=False) -> Gaussian | Correction:
     """The belief after the measurement z: eqs (7)–(9).
 
     Parameters
@@ -90,8 +88,8 @@ def correct(model, belief, z, *, k=0, through=linearize, gate=None, details=Fals
         What was predicted, mean (..., n).
     z : array_like
         (m,) or (..., m), or a number when m = 1; NaN marks components that were not measured.
-    k, through
-        As in predict.
+    u, k, through
+        As in predict; u is for h(x, u).
     gate : float, optional
         A probability such as 0.99: a reading is refused, and the belief stays what was predicted, where its NIS is
         larger than this share of honest readings would have it. Without it every reading is used.
@@ -127,10 +125,11 @@ def correct(model, belief, z, *, k=0, through=linearize, gate=None, details=Fals
     check_belief("belief", belief, model)
     axes, limits = check_step(model, k), gate_limits(gate, model.m)
     z = check.shape("z", np.atleast_1d(check.numbers("z", z, gaps=True)), (model.m,))
+    u = _control(model, u, axes)
     batch = check.batches(belief=belief.batch, z=z.shape[:-1], **axes)
     belief = _with_a_mean_each(belief, batch)
-    check_measure(model, belief.mean)
-    after, innovation, gain, refused = corrected_belief(model, belief, z, k, through, limits)
+    check_measure(model, belief.mean, u, k=k)
+    after, innovation, gain, refused = corrected_belief(model, belief, z, k, through, u, limits)
     after = read_only(after, series=False)
     if not details:
         return after
@@ -194,9 +193,22 @@ def at_step(series, k):
     return None if series is None else series[..., k, :]
 
 
+def along(model, name, function, x, u, axis=-2, first=0):
+    """One of a model's functions at states of successive steps, x (..., T, n), the first of which is `first`.
+
+    name: which of f, h and their Jacobians it is; axis: where the axis of the steps goes, -3 for matrices. All steps
+    are computed at once, where none has a function of its own.
+    """
+    if not model.by_steps(name, name[0].lower()):
+        return function(x, u, None)  # no single step
+    values = [function(x[..., k, :], at_step(u, k), k + first) for k in range(x.shape[-2])]
+    return np.stack(np.broadcast_arrays(*values), axis=axis)
+
+
 def predicted_belief(model, belief, u, k, through, Q=None):
     """The belief one step later, nothing checked but what f returns; Q: in place of the model's own."""
-    moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k))
+    difference = watched(model, "f", belief.mean, u, k)
+    moved = through(belief, lambda x: model.move(x, u, k), lambda x: model.move_slope(x, u, k), difference)
     # A quick test: a sum is finite only if all its terms are.
     if isinstance(model, NonlinearModel) and not isfinite(moved.mean.sum()):
         _check_finite("f", moved.mean, belief, k)
@@ -205,18 +217,19 @@ def predicted_belief(model, belief, u, k, through, Q=None):
     return unchecked_gaussian(moved.mean, P)
 
 
-def corrected_belief(model, predicted, z, k, through, limits=None):
+def corrected_belief(model, predicted, z, k, through, u=None, limits=None):
     """The Correction by a measurement; arguments are not checked. limits: of the gate."""
-    expected, innovation = expected_measurement(model, predicted, z, k, through)
+    expected, innovation = expected_measurement(model, predicted, z, k, through, u)
     made = condition(predicted, expected, innovation, step_matrix(model.R, k), k, limits)
     refuse_negative("P⁺", made.belief.cov, through, k)
     return made
 
 
-def expected_measurement(model, predicted, z, k, through):
+def expected_measurement(model, predicted, z, k, through, u=None):
     """What the measurement should be, Moments without its noise, and the innovation z − ẑ."""
-    expected = through(predicted, lambda x: model.measure(x, k), lambda x: model.measure_slope(x, k), model.difference)
-    return expected, model.difference(z, expected.mean)
+    difference = watched(model, "h", predicted.mean, u, k)
+    expected = through(predicted, lambda x: model.measure(x, u, k), lambda x: model.measure_slope(x, u, k), difference)
+    return expected, difference(z, expected.mean)
 
 
 def condition(predicted, expected, innovation, R, k, limits=None):
@@ -251,6 +264,15 @@ def _check_finite(name, values, belief, k):
     odd = values[~np.isfinite(values)]
     if odd.size and np.isfinite(belief.mean).all():
         raise ValueError(f"{name} must return finite numbers, found {odd[0]} at step {k}")
+
+
+def _control(model, u, axes):
+    """The control input of one step (..., p), after it was looked at; its batch axes are added to `axes`."""
+    if u is not None:
+        u = np.atleast_1d(check.numbers("u", u))
+        check_control(model, u)
+        axes["u"] = u.shape[:-1]
+    return u
 
 
 def _with_a_mean_each(belief, batch):

@@ -1,5 +1,7 @@
 """The arguments of the filters, looked at before anything is computed."""
 
+from functools import partial
+
 import numpy as np
 
 from . import checks as check
@@ -30,6 +32,13 @@ def check_control(model, u):
         check.shape("u", u, (model.p,))
 
 
+def check_input(model, u):
+    """h(x, u) and H_jacobian(x, u) need an input u."""
+    if isinstance(model, NonlinearModel):
+        for name in ("h", "H_jacobian"):
+            model.inputs(name, u, 0)
+
+
 def check_step(model, k):
     """{name: batch axes} of the model's stacks, in all of which the step k has to exist."""
     check.whole_number("k", k, least=0)
@@ -47,39 +56,44 @@ def check_stacks(model, T):
     return {name: M.shape[:-3] for name, M in stacks(model).items()}
 
 
-def check_move(model, x, u=None, std=None):
-    """Do f and F_jacobian of a nonlinear model keep to their contract at the states x (..., n)?
+def check_move(model, x, u=None, std=None, k=0):
+    """Do f, F_jacobian and state_residual of a nonlinear model keep to their contract at the states x (..., n)?
 
     With std (n,), the standard deviations of the first of these states, they are tried at n + 1 states around it, see
     `probe`. Without std, as in single steps, this is done once for each model, and later nothing.
     """
-    task = "f(x)" if u is None else "f(x, u)"
-    if isinstance(model, LinearModel) or (std is None and task in model.passed):
-        return
-    u = () if u is None else (u,)
-    first, near = _first_state(model, x, std)
-    rows = tuple(_inputs(each, model.n + 1) for each in u)
-    values = probe.try_near("f", model.f, (model.n,), first, near, model.scale, rows)
-    at_x = probe.call("f", model.f, (model.n,), *map(probe.read_only, (x, *u))) if x.ndim > 1 else values[0]
-    check.numbers("what f returns", at_x)
-    if model.F_jacobian is not None:
-        probe.try_near("F_jacobian", model.F_jacobian, (model.n, model.n), first, near, model.scale, rows)
-    model.passed.add(task)
+    if isinstance(model, NonlinearModel):
+        _try_three(
+            model, ("f", "F_jacobian", "state_residual"), (model.move, model.move_slope), model.n, (x, u, std, k)
+        )
 
 
-def check_measure(model, x, std=None):
+def check_measure(model, x, u=None, std=None, k=0):
     """The same for h, H_jacobian and residual."""
-    if isinstance(model, LinearModel) or (std is None and "h(x)" in model.passed):
+    check_input(model, u)
+    if isinstance(model, NonlinearModel):
+        functions = model.measure, model.measure_slope
+        _try_three(model, ("h", "H_jacobian", "residual"), functions, model.m, (x, u, std, k))
+
+
+def _try_three(model, names, functions, size, at):
+    """Try f or h, which returns `size` components, its Jacobian and the difference of two of its values."""
+    (x, u, std, k), (name, jacobian, residual) = at, names
+    task = f"{name}(x)" if u is None else f"{name}(x, u)"
+    if std is None and task in model.passed:
         return
+    value, slope = (partial(function, k=k) for function in functions)
     first, near = _first_state(model, x, std)
-    values = probe.try_near("h", model.h, (model.m,), first, near, model.scale)
-    at_x = probe.call("h", model.h, (model.m,), probe.read_only(x)) if x.ndim > 1 else values[0]
-    check.numbers("what h returns", at_x)
-    if model.H_jacobian is not None:
-        probe.try_near("H_jacobian", model.H_jacobian, (model.m, model.n), first, near, model.scale)
-    if model.residual is not None:
-        probe.try_difference("residual", model.residual, values.astype(float))
-    model.passed.add("h(x)")
+    u = () if u is None else (u,)
+    rows = tuple(_inputs(each, model.n + 1) for each in u)
+    values = probe.try_near(name, value, (size,), first, near, model.scale, rows)
+    at_x = probe.call(name, value, (size,), *map(probe.read_only, (x, *u))) if x.ndim > 1 else values[0]
+    check.numbers(f"what {name} returns", at_x)
+    if getattr(model, jacobian) is not None:
+        probe.try_near(jacobian, slope, (size, model.n), first, near, model.scale, rows)
+    if (difference := getattr(model, residual)) is not None:
+        probe.try_difference(residual, difference, values.astype(float))
+    model.passed.add(task)
 
 
 def _first_state(model, x, std):
@@ -124,10 +138,11 @@ def check_functions(model, x, u, std):
     """Try a model before a series that starts at the states x (..., n), with std (..., n) and inputs u (..., T, p)."""
     if isinstance(model, LinearModel):
         return
+    check_input(model, u)
     near = std.reshape(-1, model.n)[0]
     u = None if u is None else u[..., 0, :]
     check_move(model, x, u, near)
-    check_measure(model, model.move(x, u), near)
+    check_measure(model, model.move(x, u), u, near)
 
 
 def _series(name, value, width, gaps=False):

@@ -40,7 +40,7 @@ def simulate(model, initial, steps, u=None, runs=None, rng=None) -> Simulation:
     steps : int
         T, the length of the series.
     u : array_like (T, p), optional
-        Control inputs, or (T,) when p = 1; u[k] acts on the way to x[k].
+        Control inputs, or (T,) when p = 1; u[k] acts on the way to x[k], and when x[k] is measured.
     runs : int, optional
         How many runs; without it a single one, and no axis for runs.
     rng : numpy.random.Generator, int or None
@@ -79,10 +79,11 @@ def simulate(model, initial, steps, u=None, runs=None, rng=None) -> Simulation:
     check_functions(model, state, u, std)
     x, z = np.empty((*batch, T, model.n)), np.empty((*batch, T, model.m))
     for k in range(T):
-        moved = model.move(state, None if u is None else u[..., k, :], k)
+        push = None if u is None else u[..., k, :]
+        moved = model.move(state, push, k)
         state = moved + _noise(step_matrix(model.Q, k), batch, rng)
         x[..., k, :] = state
-        z[..., k, :] = model.measure(state, k) + _noise(step_matrix(model.R, k), batch, rng)
+        z[..., k, :] = model.measure(state, push, k) + _noise(step_matrix(model.R, k), batch, rng)
     return Simulation(x, z, u)
 
 

@@ -138,9 +138,15 @@ def _misses(z, sigma, follow):
     hidden, part = np.arange(4, len(z), 5), z.copy()
     part[hidden] = np.nan
     model, track = _followed(follow, part)
-    guesses = (model.measure(track.predicted.mean)[hidden - 1], z[hidden - 1], z[0])
+    guesses = (_expected(model, track)[hidden - 1], z[hidden - 1], z[0])
     misses = (np.linalg.norm((guess - z[hidden]) / sigma, axis=1) for guess in guesses)
     return [np.median(miss[~np.isnan(miss)]) if not np.isnan(miss).all() else np.nan for miss in misses]
+
+
+def _expected(model, track):
+    """The measurements that the filter expects, (T, m)."""
+    inputs = [None] * len(track.mean) if track.u is None else track.u
+    return np.stack([model.measure(x, u, k) for k, (x, u) in enumerate(zip(track.predicted.mean, inputs, strict=True))])
 
 
 def _ratio(one, other):

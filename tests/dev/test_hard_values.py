@@ -45,8 +45,9 @@ FAULTS = {
 
 @pytest.mark.parametrize("line", FAULTS)
 def test_a_covariance_that_is_none_is_found(monkeypatch, failing, line):
-    right, fault = linear.extend_last, FAULTS[line]  # the last to touch a covariance
-    monkeypatch.setattr(linear, "extend_last", lambda M, T: right(M, T) * (fault if M.shape[-2:] == (4, 4) else 1))
+    right, fault = linear.Walk.each, FAULTS[line]  # the last to touch a covariance
+    spoilt = lambda plan, M, T: right(plan, M, T) * (fault if M.shape[-2:] == (4, 4) else 1)  # noqa: E731
+    monkeypatch.setattr(linear.Walk, "each", spoilt)
     assert any(line in what for what in failing())
 
 

@@ -149,10 +149,10 @@ def test_a_target_that_crosses_quadrants():
         return np.vectorize(published_bearing)(x[..., :1], x[..., 2:3] - 1000)
 
     z = data.z + published(data.x) - scene.model.h(data.x)
-    wrong = scene.model.replace(h=published, residual=None)
+    wrong = scene.model.replace(h=published, residual=np.subtract)
     errors = [
         position_rms(extended_kalman_filter(model, series, scene.initial).mean, data.x).mean()
-        for model, series in ((scene.model, data.z), (wrong, z), (scene.model.replace(residual=None), data.z))
+        for model, series in ((scene.model, data.z), (wrong, z), (scene.model.replace(residual=np.subtract), data.z))
     ]
     nothing = position_rms(ignored(scene), data.x).mean()
     assert errors[0] < 10

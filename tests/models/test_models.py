@@ -79,7 +79,7 @@ def test_a_linear_model_moves_and_measures_by_its_matrices(batch):
     np.testing.assert_allclose(model.move(x, u, k=2), np.einsum("ij,...j", F[2], x) + np.einsum("ij,...j", B[2], u))
     np.testing.assert_allclose(model.measure(x, k=2), np.einsum("ij,...j", H[2], x))
     np.testing.assert_array_equal(model.move_slope(x, u, 1), F[1])
-    np.testing.assert_array_equal(model.measure_slope(x, 1), H[1])
+    np.testing.assert_array_equal(model.measure_slope(x, u, 1), H[1])
 
 
 def test_random_walk():

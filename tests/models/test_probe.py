@@ -189,7 +189,9 @@ def test_a_model_is_tried_once_in_single_steps_and_each_time_before_a_series():
 
 def test_a_jump_exactly_at_the_start_is_no_reason_to_refuse():
     for mean in ([np.pi, 0, -np.pi, 0], [1 / 3, np.pi - 1 / 3, np.pi / 3, 2 * np.pi / 3]):
-        extended_kalman_filter(tracking(f=lambda x: turned(x @ F.T)), np.ones((3, 2)), Gaussian(mean, np.eye(4)))
+        model = tracking(f=lambda x: turned(x @ F.T), state_residual=lambda a, b: turned(a - b))
+        extended_kalman_filter(model, np.ones((3, 2)), Gaussian(mean, np.eye(4)))
+        extended_kalman_filter(model.replace(state_residual=None, F_jacobian=lambda x: F), np.ones((3, 2)), START)
 
 
 @pytest.mark.parametrize(
