@@ -13,6 +13,7 @@ os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
 
 import time
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +30,7 @@ from statsmodels.tsa.statespace.kalman_smoother import KalmanSmoother
 from kflearn import (
     Gaussian,
     NonlinearModel,
+    OnlineFilter,
     constant_velocity,
     extended_kalman_filter,
     homing,
@@ -198,6 +200,37 @@ def manoeuvring():
     return Race("IMM, 3 models: 50 x 450", z, ours, {"FilterPy": (each(theirs), 2)}, 60)
 
 
+def one_at_a_time(name, model, initial, theirs, z):
+    """Readings as they come from a sensor: a single run, each of whose means is read at once."""
+
+    def ours(z):
+        live, means = OnlineFilter(model, initial), np.empty((z.shape[1], model.n))
+        for k, reading in enumerate(z[0]):
+            live.step(reading)
+            means[k] = live.mean
+        return SimpleNamespace(mean=means[None])
+
+    return Race(name, z, ours, {"FilterPy": (each(theirs), 1)}, 1)
+
+
+def sensors():
+    """One after the other: two states and one measurement, linear, and as functions with Jacobians."""
+    model, start = constant_velocity(1.0, 0.1, 1.0), Gaussian([0, 0], np.eye(2))
+    F, H = model.F, model.H
+    bent = NonlinearModel(lambda x: x @ F.T, lambda x: x @ H.T, model.Q, model.R, lambda x: F, lambda x: H)
+    z = simulate(model, start, 5000, rng=0).z[None]
+
+    def extended(series):
+        kf = ExtendedKalmanFilter(dim_x=2, dim_z=1)
+        kf.x, kf.P, kf.F, kf.Q, kf.R = start.mean.copy(), start.cov.copy(), F, model.Q, model.R
+        return loop(kf, series, HJacobian=lambda x: H, Hx=lambda x: H @ x)
+
+    yield one_at_a_time(
+        "one at a time: 1 x 5,000", model, start, lambda series: loop(their_kalman_filter(model, start), series), z
+    )
+    yield one_at_a_time("one at a time, EKF: 1 x 5,000", bent, start, extended, z)
+
+
 def races():
     volt, ship = scenarios.voltmeter(), scenarios.ship()
     cruise, start = constant_velocity(1.0, 0.1, 1.0), Gaussian([0, 0], np.eye(2))
@@ -210,6 +243,7 @@ def races():
     yield range_and_bearing()
     yield missile()
     yield manoeuvring()
+    yield from sensors()
 
 
 def best(function, repeats):

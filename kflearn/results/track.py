@@ -141,7 +141,8 @@ class Track(Filtered):
     @cached_property
     def log_likelihood(self) -> np.ndarray:
         """The logarithm of the probability density of all readings that were used under the model, (...)."""
-        return np.where(self.refused, 0, self._scores[1]).sum(axis=-1)
+        each = self._scores[1]
+        return (each if self._refused is None else np.where(self._refused, 0, each)).sum(axis=-1)
 
     @property
     def refused(self) -> np.ndarray:

@@ -9,6 +9,7 @@ import pytest
 from kflearn import (
     FILTERS,
     Gaussian,
+    LinearModel,
     adaptive_kalman_filter,
     constant_velocity,
     imm_filter,
@@ -133,17 +134,15 @@ def test_what_does_not_go_on_is_named():
     with pytest.raises(TypeError, match="initial must be a Gaussian, got MultipleModelTrack"):
         adaptive_kalman_filter(models[0], z, track)
     with pytest.raises(ValueError, match="initial must have 1 components like the model, got 2"):
-        adaptive_kalman_filter(
-            models[0],
-            z,
-            adaptive_kalman_filter(random_model(np.random.default_rng(0), 2, 1), z, Gaussian([0, 0], np.eye(2))),
-        )
+        wide = Gaussian([0, 0], np.eye(2))
+        adaptive_kalman_filter(models[0], z, adaptive_kalman_filter(constant_velocity(1, 1, 1), z, wide))
+    two = LinearModel(1, [[1], [2]], 1, np.eye(2))
+    with pytest.raises(ValueError, match="initial must be a track of 1 measured components like the model, got 2"):
+        adaptive_kalman_filter(models[0], z, adaptive_kalman_filter(two, [z], start))
 
 
 def test_all_models_are_equally_probable_when_nothing_is_said():
     models, z, start = [random_walk(1, 1), random_walk(2, 1)], [1.0, 2.0], Gaussian(0, 1)
-    found, told = (
-        imm_filter(models, z, start, **CHAIN),
-        imm_filter(models, z, start, **CHAIN, mode_probabilities=[0.5] * 2),
-    )
+    found = imm_filter(models, z, start, **CHAIN)
+    told = imm_filter(models, z, start, **CHAIN, mode_probabilities=[0.5, 0.5])
     np.testing.assert_array_equal(found.mode_probabilities, told.mode_probabilities)
