@@ -137,6 +137,11 @@ def matvec_each_step(M, v, index=None):
     index: which of the M belongs to each step, (..., T), as in Walk.
     """
     if index is not None and M.ndim > 2:
+        if index.ndim > 1:  # step by step: the matrices of all steps at once could fill the memory
+            out = np.empty((v.shape[-2], *np.broadcast_shapes(index.shape[:-1], v.shape[:-2]), M.shape[-2]))
+            for k in range(len(out)):
+                np.matvec(M[index[..., k]], v[..., k, :], out=out[k])
+            return np.moveaxis(out, 0, -2)
         M = M[index]
         if v.ndim == 2:
             return np.matvec(M, v)

@@ -48,7 +48,8 @@ def walk(symbols, start, step, same) -> Walk:
     """
     atlas = _Atlas(start, step, same, int(symbols.max()) + 1)
     runs = symbols.reshape(-1, symbols.shape[-1])
-    index = (atlas.one_run(runs[0]) if len(runs) == 1 else atlas.many_runs(runs)).reshape(symbols.shape) - 1
+    index = (atlas.one_run(runs[0]) if len(runs) == 1 else atlas.many_runs(runs)).reshape(symbols.shape)
+    index -= 1
     parts = tuple(None if part[0] is None else np.concatenate(part) for part in zip(*atlas.parts, strict=True))
     straight = np.minimum(np.arange(symbols.shape[-1]), atlas.count - 2)
     return Walk(parts, None if (index == straight).all() else index)
@@ -68,7 +69,7 @@ class _Atlas:
 
     def one_run(self, symbols):
         """The steps along one run (T,): whole stretches of one symbol at a time."""
-        index = np.empty(len(symbols), int)
+        index = np.empty(len(symbols), np.int32)
         cuts = [0, *(np.flatnonzero(np.diff(symbols)) + 1).tolist(), len(symbols)]
         state, paths = 0, {}
         for begin, end in pairwise(cuts):
@@ -111,15 +112,15 @@ class _Atlas:
         """The steps along many runs (runs, T): one after the other, what is new of all runs at once."""
         if symbols.shape[-1] > 1:  # most runs come back after a gap to where they rest without one
             self._extend([], 0, int(np.bincount(symbols.ravel()).argmax()), symbols.shape[-1])
-        index = np.empty(symbols.shape, int)
+        index = np.empty(symbols.shape, np.int32)
         here = np.zeros(len(symbols), int)
         for k, now in enumerate(symbols.T):
-            keys = here * self.symbols + now
-            new = [key for key in set(keys.tolist()) if key not in self.follows]
+            keys, which = np.unique(here * self.symbols + now.astype(int), return_inverse=True)
+            new = [key for key in keys.tolist() if key not in self.follows]
             if new:
-                self._many(np.sort(new))
-            index[:, k] = [self.follows[key] for key in keys.tolist()]
-            here = self.state[index[:, k]]
+                self._many(np.array(new))
+            index[:, k] = np.array([self.follows[key] for key in keys.tolist()])[which]
+            here = self.state[index[:, k]]  # of 64 bits: keys may be large
         return index
 
     def _many(self, keys):

@@ -88,8 +88,7 @@ def _distinct_steps(model, P, missing, step, carry, same):
     """The plan where runs differ in nothing but their gaps; None where (almost) each step is one of its own."""
     kinds, first = _kinds(model, missing.shape[-2])
     masks, gaps = gap_kinds(missing)
-    often = gaps.ndim > 1 and np.mean(gaps != np.bincount(gaps.ravel()).argmax()) > 0.02
-    if often or len(first) == missing.shape[-2] > 1:
+    if _all_different(gaps) or len(first) == missing.shape[-2] > 1:
         return None
     matrices = [M if M.ndim == 2 else M[first if len(M) > 1 else [0] * len(first)] for M in _matrices(model)]
 
@@ -152,11 +151,19 @@ def _kinds(model, T):
     """Which of the distinct sets of matrices each step has, (T,), and the first step that has each of them."""
     long = [M.reshape(T, -1) for M in _matrices(model) if M.ndim > 2 and len(M) == T > 1]
     if not long:
-        return np.zeros(T, int), [0]
+        return np.zeros(T, np.int32), [0]
     rows = [row.tobytes() for row in np.concatenate(long, axis=1)]
     number = {row: i for i, row in enumerate(dict.fromkeys(rows))}
     kinds = np.array([number[row] for row in rows])
     return kinds, np.unique(kinds, return_index=True)[1]
+
+
+def _all_different(gaps):
+    """Do runs have so many gaps, each run its own (..., T), that hardly any step is like another one's?"""
+    if gaps.ndim == 1 or np.mean(gaps != np.bincount(gaps.ravel()).argmax()) < 0.02:
+        return False
+    rows = gaps.reshape(-1, gaps.shape[-1])
+    return len({row.tobytes() for row in rows}) > len(rows) / 4
 
 
 def gap_kinds(missing):
@@ -175,7 +182,7 @@ def gap_kinds(missing):
             met = np.bincount(kinds) > 0
             kinds = (np.cumsum(met) - 1)[kinds]  # numbered without holes
     first = [int(np.argmax(kinds == kind)) for kind in range(kinds.max() + 1)]
-    return flat.reshape(-1, m)[first], kinds.reshape(*batch, T)
+    return flat.reshape(-1, m)[first], kinds.astype(np.int32).reshape(*batch, T)
 
 
 def _refuse_lost(plan, missing):

@@ -57,8 +57,8 @@ def rts_smoother(model, track) -> Gaussian:
     if track.mean.shape[-2] == 1:
         return track.filtered
     gain, left, index = _shared(model, track) or _of_each_step(model, track)
-    L = _smoothed_roots(gain, left, index, track.mean.shape[-2])
-    return read_only(unchecked_gaussian(track.mean + _shifts(track, gain, index), L @ L.mT))
+    mean = track.mean + _shifts(track, gain, index)
+    return read_only(unchecked_gaussian(mean, _smoothed_covariances(gain, left, index, track.mean.shape[-2])))
 
 
 def _shared(model, track):
@@ -143,18 +143,19 @@ def _gain_of_few(array, tells):
     return gain, triangular(np.concatenate([B * ~tell[..., None, :], C], axis=-1))
 
 
-def _smoothed_roots(gain, left, index, T):
-    """L_k with L_k L_kᵀ = what is left + G_k P_{k+1} G_kᵀ, backwards: (..., T, n, n)."""
+def _smoothed_covariances(gain, left, index, T):
+    """P_k = what is left + G_k P_{k+1} G_kᵀ, backwards and on roots L_k L_kᵀ = P_k: (..., T, n, n)."""
     if index is None:
         roots = [left[..., -1, :, :]]
         for k in range(T - 2, -1, -1):
             ahead = gain[..., k, :, :] @ roots[-1]
             roots.append(triangular(np.concatenate(np.broadcast_arrays(left[..., k, :, :], ahead), axis=-1)))
-        return np.moveaxis(np.stack(np.broadcast_arrays(*roots[::-1])), 0, -3)
+        L = np.moveaxis(np.stack(np.broadcast_arrays(*roots[::-1])), 0, -3)
+        return L @ L.mT
 
     def step(L, row):
         L = triangular(np.concatenate([left[row], gain[row] @ L], axis=-1))
-        return L, (L,)
+        return L, (L @ L.mT,)
 
     plan = walk(index[..., ::-1], np.zeros_like(left[0]), step, same_root)
     return plan.each(plan.parts[0], T)[..., ::-1, :, :]
@@ -162,9 +163,10 @@ def _smoothed_roots(gain, left, index, T):
 
 def _shifts(track, gain, index):
     """By how much means change: d_k = G_k (d_{k+1} + x̂_{k+1} − x⁻_{k+1}), backwards, with G = 0 at the last step."""
-    learnt = track.learnt
-    ahead = np.concatenate([learnt[..., 1:, :], np.zeros_like(learnt[..., :1, :])], axis=-2)
+    ahead = np.roll(track.learnt, -1, axis=-2)
+    ahead[..., -1, :] = 0
     drive = matvec_each_step(gain, ahead, index)[..., ::-1, :]
+    del ahead
     back = None if index is None else index[..., ::-1]
     gain = gain[..., ::-1, :, :] if index is None else gain
     return linear_recursion(gain, drive, np.zeros(track.mean.shape[-1]), back)[..., ::-1, :]

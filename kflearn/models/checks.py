@@ -114,18 +114,23 @@ def covariance(name, value, size=None, definite=False) -> np.ndarray:
     kind = "definite" if definite else "semi-definite"
     variances = np.diagonal(array, axis1=-2, axis2=-1)
     if (variances < 0).any() or (definite and (variances == 0).any()):
-        raise ValueError(f"{name} must be positive {kind}, found {variances.min():g} on its diagonal")
-    # Judge the correlations, not the covariances: then the units of the components do not matter. Only a variance 1e-28
-    # times another one is a rounding error, and so are the covariances beside it.
-    largest = variances.max(axis=-1, keepdims=True)
-    scale = np.sqrt(np.where(variances > 1e-28 * largest, variances, np.where(largest > 0, 1e-14 * largest, 1)))
-    correlation, _ = correlations(array, scale)
+        exact = name == "R" and variances.min() == 0
+        way_out = "; no sensor is exact: one that tells steps of d has at least d²/12" if exact else ""
+        raise ValueError(f"{name} must be positive {kind}, found {variances.min():g} on its diagonal{way_out}")
+    # Judge the correlations, not the covariances: then the units of the components do not matter.
+    correlation, _ = correlations(array, np.sqrt(variances) if definite else _scale(variances))
     if (abs(correlation - correlation.mT) > 1e-9).any():
         raise ValueError(f"{name} must be symmetric, but it differs from its transpose")
     smallest = np.linalg.eigvalsh(correlation).min()
     if smallest < -1e-6 or (definite and smallest < 1e-14):
         raise ValueError(f"{name} must be positive {kind}, but its correlations have the eigenvalue {smallest:.2g}")
     return array
+
+
+def _scale(variances):
+    """Standard deviations; a variance 1e-28 times another one is a rounding error, and so are the covariances there."""
+    largest = variances.max(axis=-1, keepdims=True)
+    return np.sqrt(np.where(variances > 1e-28 * largest, variances, np.where(largest > 0, 1e-14 * largest, 1)))
 
 
 def _variances_alone(array):

@@ -154,7 +154,7 @@ class Track(Filtered):
     @property
     def learnt(self) -> np.ndarray:
         """What each measurement changed in the mean, K (z − ẑ), (..., T, n): x̂ − x⁻ without the subtraction."""
-        y = self.innovation.mean
+        y = self._later.surprise(self.mean)
         return matvec_each_step(compact(self.gain, 3), np.where(np.isnan(y), 0, y))
 
     @property
@@ -178,17 +178,26 @@ class LinearSteps(Frozen):
 
     def predicted(self, mean):
         """The beliefs before each measurement, from the means (..., T, n) after them: eqs (5) and (6)."""
+        return unchecked_gaussian(self._moved(mean), self._each(symmetric(self.plan.parts.predicted)))
+
+    def innovation(self, predicted):
+        """z − H x⁻ and S."""
+        return unchecked_gaussian(self._difference(predicted.mean), self._each(self.plan.parts.S))
+
+    def surprise(self, mean):
+        """z − H x⁻ alone."""
+        return self._difference(self._moved(mean))
+
+    def _difference(self, predicted_mean):
+        return self.z - matvec_each_step(self.model.H, predicted_mean)
+
+    def _moved(self, mean):
         before = np.empty_like(mean)  # which lies in memory as `mean` does
         before[..., 0, :], before[..., 1:, :] = self.start.mean, mean[..., :-1, :]
         moved = matvec_each_step(self.model.F, before)
         if self.u is not None:
             moved = moved + matvec_each_step(self.model.B, self.u)
-        return unchecked_gaussian(moved, self._each(symmetric(self.plan.parts.predicted)))
-
-    def innovation(self, predicted):
-        """z − H x⁻ and S."""
-        y = self.z - matvec_each_step(self.model.H, predicted.mean)
-        return unchecked_gaussian(y, self._each(self.plan.parts.S))
+        return moved
 
     def S_root(self):
         """The triangular roots of S, in which unmeasured components have variance 1; None where there are none."""
@@ -213,6 +222,10 @@ class StackedSteps(Frozen):
     def innovation(self, predicted):
         """The innovations with their covariances."""
         return stack_in_time(self.innovations)
+
+    def surprise(self, mean):
+        """The innovations alone."""
+        return np.stack([innovation.mean for innovation in self.innovations], -2)
 
     def S_root(self):
         """No roots are kept."""

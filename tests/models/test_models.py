@@ -5,11 +5,13 @@ import numpy as np
 import pytest
 
 from kflearn import (
+    Gaussian,
     LinearModel,
     NonlinearModel,
     cart,
     constant_acceleration,
     constant_velocity,
+    kalman_filter,
     numerical_jacobian,
     random_walk,
     singer,
@@ -225,3 +227,20 @@ def test_in_words():
 def test_standard_deviations_of_zero_are_allowed():
     for model in (constant_velocity(1, 0, 1), constant_acceleration(1, 0, 1), singer(1, 1, 0, 1)):
         assert not model.Q.any()
+
+
+@pytest.mark.parametrize("huge", [1e12, 1e30, 1.7e308])
+def test_a_huge_variance_stands_for_not_measured(huge):
+    model = LinearModel(np.eye(2), np.eye(2), 0.01 * np.eye(2), np.diag([0.1, huge]))
+    start = Gaussian([0, 0], np.eye(2))
+    found = kalman_filter(model, [[1.0, 5.0], [1.1, 5.0]], start)
+    expected = kalman_filter(model.replace(R=0.1 * np.eye(2)), [[1.0, np.nan], [1.1, np.nan]], start)
+    np.testing.assert_allclose(found.mean, expected.mean, atol=20 / huge)
+    np.testing.assert_allclose(found.cov, expected.cov, atol=20 / huge)
+
+
+def test_a_sensor_without_noise_is_told_what_noise_it_has():
+    with pytest.raises(ValueError, match="R must be positive definite, found 0 on its diagonal; no"):
+        LinearModel(1, 1, 1, 0)
+    with pytest.raises(ValueError, match=r"found 0 on its diagonal$"):
+        Gaussian(1, 0).fuse(Gaussian(2, 0))
