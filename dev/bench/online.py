@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from dev.bench import filters
-from dev.bench.filters import CRUISE, START, best, judged
+from dev.bench.filters import CRUISE, START, best
+from dev.bench.goals import judged
 from kflearn import OnlineFilter, homing
 
-GOAL = 1  # not slower than FilterPy
 STEPS = 2000  # of the Kalman filter; the missile has 367
 
 
@@ -98,12 +98,12 @@ def run(race, rounds=9):
 
 def table():
     """The lines of a table in Markdown."""
-    yield "| a step of | OnlineFilter | FilterPy | ratio | goal | largest difference |"
-    yield "|---|---:|---:|---:|---:|---:|"
+    yield "| a step of | OnlineFilter | FilterPy | ratio | largest difference |"
+    yield "|---|---:|---:|---:|---:|"
     for race in races():
         mine, theirs, difference = run(race)
-        ratio = judged(theirs / mine, GOAL)
-        yield f"| {race.name} | {mine:.1f} µs | {theirs:.1f} µs | {ratio} | {GOAL} | {difference:.0e} |"
+        ratio = judged(theirs / mine, None)
+        yield f"| {race.name} | {mine:.1f} µs | {theirs:.1f} µs | {ratio} | {difference:.0e} |"
 
 
 if __name__ == "__main__":

@@ -6,12 +6,25 @@ import re
 from importlib.metadata import version
 from pathlib import Path
 
-from dev.bench import filters, footprint, playground
+from dev.bench import filters, footprint, gaps, goals, online, playground, rival_races
 
 TARGET = footprint.ROOT / "BENCHMARKS.md"
 PACKAGES = "numpy", "scipy", "matplotlib", "ipywidgets", "jupyterlab", "filterpy", "simdkalman", "statsmodels"
 HEAD = "# Benchmarks\n\nWritten by `make bench`, not by hand. {machine}\n\nLoad average at the start: {load}.\n"
-SPEED = "## Filters\n\nTime for all runs; ratio: time of the rival / time of kflearn. Agreement is checked before.\n"
+SPEED = """## Filters
+
+Time for all runs; ratio: time of the rival / time of kflearn. Agreement is checked before. The goal is the ratio to
+FilterPy; to the others it is 1. What is short of its goal is in bold, with the word "short".
+"""
+GAPS = "\n## Gaps\n\nWhole readings are missing; the same rivals. FilterPy's smoother is timed on a part.\n"
+ONLINE = "\n## One reading at a time\n\nOne step; FilterPy's predict_update takes its Jacobian before the prediction.\n"
+OTHERS = """
+## Rivals with an environment of their own
+
+{versions}. Ratio: time of the rival / time of kflearn, in bold where the rival is quicker. The first call compiles,
+where JAX is used; the time is the best of three calls after it. Processor: how much of one the rival had; far below
+100 % the machine was busy with other things. "The end only": it keeps the last estimate, not all.
+"""
 PICTURES = (
     "## From slider to picture\n\nIn JupyterLab, in headless Chromium; a filter over 200 steps, two axes, 800 × 500.\n"
 )
@@ -43,10 +56,22 @@ def report():
     yield HEAD.format(machine=machine(), load=load_average())
     yield SPEED
     yield from filters.table(map(filters.run, filters.races()))
+    yield GAPS
+    yield from gaps.table()
+    yield ONLINE
+    yield from online.table()
+    yield OTHERS.format(versions=rival_races.versions())
+    yield from rival_races.table()
     yield f"\n{PICTURES}"
     yield from playground.table(playground.race())
     yield "\n## Footprint\n"
     yield from footprint.table()
+
+
+def short(lines):
+    """A paragraph that names the rows in which something is short of its goal."""
+    names = [line.split("|")[1].strip() for line in lines if re.search(rf"\*\*[^|]*, {goals.SHORT}\*\*", line)]
+    return f"\nShort of a goal: {'; '.join(names) or 'nothing'}."
 
 
 def main():
@@ -54,6 +79,8 @@ def main():
     for line in report():
         print(line, flush=True)
         lines.append(line)
+    lines.append(short(lines))
+    print(lines[-1])
     TARGET.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 

@@ -20,7 +20,8 @@ from typing import NamedTuple
 import numpy as np
 
 from dev.bench import filters
-from dev.bench.filters import best, judged
+from dev.bench.filters import best
+from dev.bench.goals import judged
 
 HERE, FOLDER = Path(__file__).parent, Path(__file__).parents[2] / "build" / "bench-rivals"
 PINS, SCRIPT, MADE = HERE / "rivals.txt", HERE / "rivals.py", FOLDER / "made.json"
@@ -35,7 +36,7 @@ MORE = {"kalman-py": "kalman-py[jax]"}
 TOLERANCE = {"filter": 1e-9, "smoother": 1e-9, "UKF": 1e-6, "EKF": 1e-6}  # relative to the largest number
 DYNAMAX = 1e-6  # it adds 1e-9 to the diagonal of S
 SAMPLE = 200  # runs on which a rival is timed that takes one at a time
-GOAL, LIMIT = 1, 300  # not slower than any of them, unless it does less; seconds for one rival in one race
+LIMIT = 300  # seconds for one rival in one race
 
 
 class Answer(NamedTuple):
@@ -90,11 +91,10 @@ def environment():
 
 
 def versions():
-    """The packages and what they compute with, as in `name version`; those that were installed."""
+    """The pinned versions of the rivals and of what they compute with."""
     lines = PINS.read_text(encoding="utf-8").splitlines()
     pins = dict(line.split("==") for line in lines if "==" in line)
-    there = {package for package, why in environment().items() if not why} | {"jax"}
-    return ", ".join(f"{name} {pins[name]}" for name in sorted(there))
+    return ", ".join(f"{name} {pins[name]}" for name in dict.fromkeys([*PACKAGES.values(), "jax", "numpy"]))
 
 
 # ---- the races
@@ -155,8 +155,8 @@ def run(race, rounds=25, rivals=tuple(PACKAGES)):
 
 def table(races=None, rounds=25):
     """The lines of a table in Markdown."""
-    yield "| | kflearn | rival | its time | ratio | goal | its first call | processor | largest difference |"
-    yield "|---|---:|---|---:|---:|---:|---:|---:|---:|"
+    yield "| | kflearn | rival | its time | ratio | its first call | processor | largest difference |"
+    yield "|---|---:|---|---:|---:|---:|---:|---:|"
     for race in filters.races() if races is None else races:
         if race.kind:
             ours, answers = run(race, rounds)
@@ -166,9 +166,8 @@ def table(races=None, rounds=25):
 def row(race, ours, rival, answer):
     head = f"| {race.name} | {1e3 * ours:.2f} ms | {rival} |"
     if answer.words:
-        return f"{head} {answer.words} | | | | | |"
-    goal = 0 if rival.endswith("only") else GOAL
-    cells = f"{1e3 * answer.seconds:,.1f} ms | {judged(answer.seconds / ours, goal)} | {goal or 'none'}"
+        return f"{head} {answer.words} | | | | |"
+    cells = f"{1e3 * answer.seconds:,.1f} ms | {judged(answer.seconds / ours, None)}"
     return f"{head} {cells} | {answer.first:.2f} s | {answer.cpu:.0%} | {answer.difference:.0e} |"
 
 

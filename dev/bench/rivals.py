@@ -97,17 +97,25 @@ def measure(race):
 def kalman_py(race):
     import kalman_py
 
-    kind, F, start = race["kind"], race["F"], (race["mean"], race["cov"])
-    if kind in ("UKF", "EKF"):
-        h, unit, R = measure(race)
-        make = kalman_py.UnscentedKalmanFilter if kind == "UKF" else kalman_py.ExtendedKalmanFilter
-        how = dict(alpha=0.01, beta=2.0, kappa=0.0) if kind == "UKF" else {}
-        kf = make(lambda x, dt: F @ x, h, race["Q"], R, *start, **how)
-        return compiled(lambda z: means_and_covs(kf.filter(z / unit, dt=1.0, backend="jax")))
-    kf = kalman_py.KalmanFilter(F, race["H"], race["Q"], race["R"], *start)
-    if kind == "filter":
+    if race["kind"] in ("UKF", "EKF"):
+        return kalman_py_nonlinear(race)
+    kf = kalman_py.KalmanFilter(*(race[name] for name in ("F", "H", "Q", "R", "mean", "cov")))
+    if race["kind"] == "filter":
         return compiled(lambda z: means_and_covs(kf.filter(z, backend="jax")))
     return compiled(lambda z: means_and_covs(kf.smooth(kf.filter(z, backend="jax"))))
+
+
+def kalman_py_nonlinear(race):
+    """The EKF takes all runs at once; the UKF looks at its covariances after each run, which JAX cannot do for many."""
+    import kalman_py
+
+    h, unit, R = measure(race)
+    model = lambda x, dt: race["F"] @ x, h, race["Q"], R, race["mean"], race["cov"]
+    if race["kind"] == "EKF":
+        ekf = kalman_py.ExtendedKalmanFilter(*model)
+        return compiled(lambda z: means_and_covs(ekf.filter(z / unit, dt=1.0, backend="jax")))
+    ukf = kalman_py.UnscentedKalmanFilter(*model, alpha=0.01, beta=2.0, kappa=0.0)
+    return lambda z: np.stack([np.asarray(ukf.filter(one, dt=1.0, backend="jax").means) for one in z / unit])
 
 
 def means_and_covs(result):

@@ -30,7 +30,7 @@ def test_slow_is_no():
     race = next(filters.races())
     lines = list(speed.ratios(filters.Result(race, 1.0, {"FilterPy": 999.0, "simdkalman": 2.0}, 1e-12)))
     assert [line.ok for line in lines] == [False, True, True]
-    assert lines[0].measured == "999 times as quick" and lines[0].bound == "≥ 1000"
+    assert lines[0].measured == "999 times as quick" and lines[0].bound == "≥ 2000"
     results = {"interact with pyplot": (150, 3.0), "playground": (60, 14.0), speed.playground.SLOW: (90, 9)}
     assert [line.ok for line in speed.pictures(results)] == [False, True, False]
 
