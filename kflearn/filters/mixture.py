@@ -21,8 +21,9 @@ def mixture(shares, beliefs, apart=np.subtract):
 
     apart: the difference of two states.
     """
-    likeliest, shares = np.argmax(shares, axis=0)[..., None], shares[..., None]
-    if apart is np.subtract:
+    likeliest = None if apart is np.subtract else np.argmax(shares, axis=0)[..., None]
+    shares = shares[..., None]
+    if likeliest is None:
         mean = sum(share * x for share, x in zip(shares, beliefs.mean, strict=True))
     else:  # an angle has no mean, but differences from one model's angle have
         origin = beliefs.mean[0]

@@ -163,8 +163,7 @@ def _smoothed_covariances(gain, left, index, T):
 
 def _shifts(track, gain, index):
     """By how much means change: d_k = G_k (d_{k+1} + x̂_{k+1} − x⁻_{k+1}), backwards, with G = 0 at the last step."""
-    ahead = np.roll(track.learnt, -1, axis=-2)
-    ahead[..., -1, :] = 0
+    ahead = np.roll(track.learnt, -1, axis=-2)  # the last one meets a gain of 0
     drive = matvec_each_step(gain, ahead, index)[..., ::-1, :]
     del ahead
     back = None if index is None else index[..., ::-1]

@@ -75,3 +75,18 @@ def test_axes_broadcast(of_A, of_drive, of_start, matrices):
     found, expected = linear_recursion(A, drive.copy(), start), plain(A, drive, start)
     assert found.shape == expected.shape
     close(found, expected, 1e-12)
+
+
+def test_blocks_of_matrices_that_differ_and_forget_nothing():
+    """Rotations, a new one at each step: what a block starts with still counts at its end."""
+    angle = np.random.default_rng(7).normal(size=2000)
+    A = np.stack([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
+    drive, start = np.random.default_rng(8).normal(size=(3, 2000, 2)), np.array([5.0, -2.0])
+    close(linear_recursion(A, drive.copy(), start), plain(A, drive, start), 1e-10)
+    index = np.repeat(np.arange(20), 100)
+    index[900:] = 7
+    close(linear_recursion(A[:20], drive.copy(), start, index), plain(A[index], drive, start), 1e-10)
+    own = np.stack([index, index[::-1], np.arange(2000) % 20])
+    found = linear_recursion(A[:20], drive.copy(), start, own)
+    for run in range(3):
+        close(found[run], plain(A[own[run]], drive[run], start), 1e-10)

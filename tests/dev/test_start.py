@@ -38,7 +38,7 @@ def test_readme_and_screen_say_the_same_numbers():
     assert f"{more} more packages" in README
     assert "python3 -m dev.prepare" in README
     (site,) = re.findall(r"^site:.*?(\w+ to \w+ minutes on two cores)", MAKEFILE, re.MULTILINE)
-    assert site in re.search(r"(?m)^.*make site.*$", README)[0]
+    assert site in re.search(r"(?m)^\| `make site`.*$", README)[0]
 
 
 def test_readme_names_all_that_an_update_does_to_a_clone():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kflearn import Gaussian, LinearModel, kalman_filter, scenarios, square_root_kalman_filter
+from kflearn import Gaussian, LinearModel, kalman_filter, random_walk, scenarios, square_root_kalman_filter
 from kflearn.core.conditioning import covariance_after
 from kflearn.filters.square_root import square_root_step, triangular
 from tests.helpers import random_belief, random_model, same_track, with_gaps
@@ -89,3 +89,10 @@ def test_a_wrong_gain_and_what_the_forms_claim():
     error = Gaussian([0, 0], P).sample(200_000, rng)
     after = error - (error @ H.T + rng.standard_normal((200_000, 1))) @ half.T
     np.testing.assert_allclose(after.var(axis=0), [1.0, 0.9375], rtol=0.01)
+
+
+@pytest.mark.parametrize("ratio", [1e-8, 1e-16, 1e-28])
+def test_no_digit_is_lost_where_R_is_far_below_P(ratio):
+    R = 1e14 * ratio
+    track = square_root_kalman_filter(random_walk(0, R), [3.0], Gaussian(0, 1e14))
+    assert track.cov[0, 0, 0] == pytest.approx(R / (1 + ratio), rel=1e-12)
