@@ -40,6 +40,9 @@ def pick(rows, index, T):
     return np.concatenate([rows, repeated], axis=-3)
 
 
+LONG, MOST = 5000, 1000  # a series so long, with so many steps that differ, is better cut into blocks
+
+
 def walk(symbols, start, step, same) -> Walk:
     """Follow carried_k = step(carried_{k-1}, symbol_k) through the symbols (..., T), whole numbers.
 
@@ -48,11 +51,61 @@ def walk(symbols, start, step, same) -> Walk:
     """
     atlas = _Atlas(start, step, same, int(symbols.max()) + 1)
     runs = symbols.reshape(-1, symbols.shape[-1])
-    index = (atlas.one_run(runs[0]) if len(runs) == 1 else atlas.many_runs(runs)).reshape(symbols.shape)
-    index -= 1
+    if len(runs) > 1:
+        index = atlas.many_runs(runs)
+    else:
+        index = atlas.one_run(runs[0], most=MOST if runs.size >= LONG else np.inf)
+        if index is None:
+            if (blocks := walk_in_blocks(runs[0], start, start, step, same)) is not None:
+                return blocks
+            index = atlas.one_run(runs[0])
+    index = index.reshape(symbols.shape) - 1
     parts = tuple(None if part[0] is None else np.concatenate(part) for part in zip(*atlas.parts, strict=True))
     straight = np.minimum(np.arange(symbols.shape[-1]), atlas.count - 2)
     return Walk(parts, None if (index == straight).all() else index)
+
+
+def walk_in_blocks(symbols, start, guess, step, same) -> Walk | None:
+    """The same for one long series (T,) of which few steps are alike: cut into blocks that are computed side by side.
+
+    Each block begins some steps early, at `guess`, and soon forgets what it began with. Where it really begins, it must
+    agree with the end of the block before it: if not, the early start is made longer, and at last None is returned.
+    """
+    T = len(symbols)
+    for early in (64, 256, 1024):
+        length = max(2 * early, int(np.sqrt(T)))
+        count = T // length
+        if count < 8:
+            return None
+        at = np.arange(count)[:, None] * length + np.arange(-early, length)
+        carried, steps, ends = np.broadcast_to(guess, (count, *start.shape)).copy(), [], None
+        for k, now in enumerate(symbols[np.maximum(at, 0)].T):
+            if k == early:
+                carried[0] = start
+                begins = carried
+            carried, parts = step(carried, now)
+            if k >= early:
+                steps.append(parts)
+        ends = carried
+        if same(begins[1:], ends[:-1]).all():
+            return _joined(steps, symbols[count * length :], ends[-1], step)
+    return None
+
+
+def _joined(steps, symbols, carried, step):
+    """Blocks side by side as one series, and what is left at its end."""
+    rest = []
+    for symbol in symbols:
+        carried, parts = step(carried, symbol)
+        rest.append(parts)
+    joined = []
+    for i, first in enumerate(steps[0]):
+        if first is None:
+            joined.append(None)
+            continue
+        blocks = np.stack([parts[i] for parts in steps], axis=1).reshape(-1, *first.shape[1:])
+        joined.append(np.concatenate([blocks, np.array([parts[i] for parts in rest]).reshape(-1, *first.shape[1:])]))
+    return Walk(tuple(joined))
 
 
 class _Atlas:
@@ -67,8 +120,8 @@ class _Atlas:
         self.symbols, self.follows = symbols, {}  # {state * symbols + symbol: the step that follows}
         self.rest, self.last = {}, {}  # under each symbol, the state at rest, and the last new one: there may be cycles
 
-    def one_run(self, symbols):
-        """The steps along one run (T,): whole stretches of one symbol at a time."""
+    def one_run(self, symbols, most=np.inf):
+        """The steps along one run (T,), whole stretches of one symbol at a time; None where they exceed `most`."""
         index = np.empty(len(symbols), np.int32)
         cuts = [0, *(np.flatnonzero(np.diff(symbols)) + 1).tolist(), len(symbols)]
         state, paths = 0, {}
@@ -80,6 +133,8 @@ class _Atlas:
             index[begin : begin + len(path)] = path
             index[begin + len(path) : end] = path[-1]
             state = int(self.state[index[end - 1]])
+            if self.count > most:
+                return None
         return index
 
     def _extend(self, path, state, symbol, length):

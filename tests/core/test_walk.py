@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kflearn.core.walk import Walk, same_covariance, walk
+from kflearn.core.walk import Walk, same_covariance, walk, walk_in_blocks
 
 RATES = np.array([0.5, 0.9, 1.0])
 
@@ -90,3 +90,27 @@ def test_the_last_row_serves_all_later_steps():
     plan = Walk((rows,))
     np.testing.assert_array_equal(plan.each(rows, 5)[:, :, 0], [[0, 1], [2, 3], [4, 5], [4, 5], [4, 5]])
     np.testing.assert_array_equal(Walk((rows,), np.array([2, 0])).each(rows, 2)[:, :, 0], [[4, 5], [0, 1]])
+
+
+def test_blocks_side_by_side_are_the_same_series():
+    symbols = (np.random.default_rng(4).random(5037) < 0.3).astype(int)
+    start = np.array([[7.0]])
+    plan = walk_in_blocks(symbols, start, np.array([[1000.0]]), Counted(), same_covariance)
+    assert plan.index is None and len(plan.parts[0]) == 5037 and plan.parts[2] is None
+    for part, expected in zip(plan.parts, plain(symbols, start), strict=False):
+        np.testing.assert_allclose(part, expected, rtol=1e-12)
+
+
+def test_blocks_that_would_not_forget_their_start_are_given_up():
+    start = np.array([[7.0]])
+    for symbols in (np.full(20_000, 2), np.where(np.arange(20_000) < 15_000, 0, 2), np.zeros(300, int)):
+        assert walk_in_blocks(symbols, start, np.array([[9.0]]), Counted(), same_covariance) is None
+
+
+def test_a_long_series_of_which_few_steps_are_alike_goes_in_blocks():
+    symbols = np.random.default_rng(5).integers(0, 2, 8000)
+    agrees(symbols, most=1100 + 8000 + 24 * 64 * 8)
+    plan = walk(symbols, np.array([[7.0]]), Counted(), same_covariance)
+    assert plan.index is None and len(plan.parts[0]) == 8000
+    unforgetting = np.random.default_rng(6).integers(1, 3, 6000) * (np.arange(6000) < 20) + 2 * (np.arange(6000) >= 20)
+    agrees(unforgetting)

@@ -67,6 +67,20 @@ def test_one_series_is_as_from_the_plain_loop(monkeypatch, filter_, share):
     agree(filter_(MODEL, z, START), plainly(monkeypatch, filter_, MODEL, z, START))
 
 
+@pytest.mark.parametrize("filter_", [kalman_filter, square_root_kalman_filter])
+@pytest.mark.parametrize("share", [0.01, 0.6])
+def test_long_series_with_many_gaps_in_blocks_are_as_from_the_plain_loop(monkeypatch, filter_, share):
+    z = readings(6000, *np.flatnonzero(np.random.default_rng(1).random(6000) < share))
+    track = filter_(MODEL, z, START)
+    agree(track, plainly(monkeypatch, filter_, MODEL, z, START))
+    assert (track._later.plan.index is None) == (share == 0.6)  # in blocks each step has its own row
+    smooth, two = rts_smoother(MODEL, track), two_filter_smoother(MODEL, z, START)
+    each = rts_smoother(MODEL.replace(R=MODEL.R), track)
+    for other in (two, each):
+        np.testing.assert_allclose(smooth.mean, other.mean, rtol=1e-9, atol=1e-8)
+        np.testing.assert_allclose(smooth.cov, other.cov, rtol=1e-9, atol=1e-12)
+
+
 @pytest.mark.parametrize("share", [0.003, 0.05])
 def test_many_runs_with_their_own_gaps_are_as_from_the_plain_loop(monkeypatch, share):
     scene, rng = scenarios.ship(), np.random.default_rng(2)
