@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from .matrices import matvec
-from .walk import pick
+from .walk import commonest, pick
 
 LONG = 500  # steps from which on blocks are quicker than a plain loop
 
@@ -142,9 +142,12 @@ def matvec_each_step(M, v, index=None):
             for k in range(len(out)):
                 np.matvec(M[index[..., k]], v[..., k, :], out=out[k])
             return np.moveaxis(out, 0, -2)
-        M = M[index]
         if v.ndim == 2:
-            return np.matvec(M, v)
+            common, others = commonest(index)
+            out = v @ M[common].T
+            out[others] = np.matvec(M[index[others]], v[others])
+            return out
+        M = M[index]
     # One matrix for all steps, and vectors that lie in memory one after the other: a single matrix product.
     if M.ndim == 2 and (v.ndim == 2 or v.flags.c_contiguous):
         return matvec(M, v)

@@ -30,14 +30,26 @@ class Walk:
 
 def pick(rows, index, T):
     """An array (..., S, ·, ·) made T long: by an index (..., T), or by repeating its last entry."""
-    if index is not None:
+    if index is not None and index.ndim > 1:
         return rows[index]
+    if index is not None:  # most steps are alike: they are filled in at once
+        common, others = commonest(index)
+        out = np.empty((T, *rows.shape[1:]), rows.dtype)
+        out[:] = rows[common]
+        out[others] = rows[index[others]]
+        return out
     rest = T - rows.shape[-3]
     if not rest:
         return rows
     last = rows[..., -1:, :, :]
     repeated = np.broadcast_to(last, (*last.shape[:-3], rest, *last.shape[-2:]))
     return np.concatenate([rows, repeated], axis=-3)
+
+
+def commonest(index):
+    """The row that most steps (T,) have, and the steps that have another one."""
+    common = int(np.bincount(index).argmax())
+    return common, np.flatnonzero(index != common)
 
 
 LONG, MOST = 5000, 1000  # a series so long, with so many steps that differ, is better cut into blocks
