@@ -8,17 +8,11 @@ from pathlib import Path
 import pytest
 
 from dev import prepare
-from tests.dev.command import ROOT, run
+from tests.dev.command import ROOT, make, run
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
 HEAVY = ["ipywidgets", "filterpy", "jupyterlab", "jupyter_server", "nbformat", "nbclient"]
-
-
-def make(folder, *command):
-    done = subprocess.run(["make", "--no-print-directory", *command], cwd=folder, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def test_every_way_opens_the_same_page():
@@ -76,6 +70,11 @@ def test_clean_says_what_it_removes_and_leaves_nothing_empty(built):
     assert printed.startswith("removing .venv")
     assert [path.name for path in built.iterdir()] == ["Makefile"]
     assert make(built, "clean") == ""
+
+
+def test_what_the_outer_make_was_told_is_not_handed_on(built, monkeypatch):
+    monkeypatch.setenv("MAKEFLAGS", " -- VENV=.venv-system")
+    assert make(built, "clean").startswith("removing .venv:")
 
 
 def test_clean_keeps_a_class(built):

@@ -10,6 +10,7 @@ import nbformat
 import pytest
 
 from dev.lessons import METADATA
+from tests.dev.command import make
 
 ROOT = Path(__file__).parents[2]
 LESSON = "notebooks/05-voltmeter.ipynb"
@@ -236,10 +237,7 @@ def test_clear_writes_lessons_without_outputs(tmp_path):
         ROOT / "notebooks", tmp_path / "notebooks", ignore=shutil.ignore_patterns("[1-9]*", "0[1-9]*", ".*")
     )
     shutil.copy(ROOT / "Makefile", tmp_path)
-    made = subprocess.run(
-        ["make", "clear", "READY=", f"BIN={Path(sys.executable).parent}"], cwd=tmp_path, capture_output=True, text=True
-    )
-    assert made.returncode == 0, made.stderr
+    make(tmp_path, "clear", "READY=", f"BIN={Path(sys.executable).parent}")
     cells = nbformat.read(tmp_path / "build/clear/00-start-here.ipynb", as_version=4).cells
     code = [cell for cell in cells if cell.cell_type == "code"]
     assert len(code) > 20 and not any(cell.outputs or cell.execution_count for cell in code)
