@@ -66,7 +66,9 @@ def congruence(A, P) -> tuple[np.ndarray, np.ndarray]:
 
 def _times(P, B):
     """P B. Where one B serves a whole axis of matrices P, their rows make one tall matrix: several times faster."""
-    if P.ndim < 3 or (B.ndim > 2 and B.shape[-3] != 1):
+    if P.ndim < 3:
+        return P.dot(B) if B.ndim == 2 else P @ B  # the same product; of two small matrices in half the time
+    if B.ndim > 2 and B.shape[-3] != 1:
         return P @ B
     rows = P.shape[-3] * P.shape[-2]
     product = P.reshape(*P.shape[:-3], rows, P.shape[-1]) @ (B if B.ndim == 2 else B[..., 0, :, :])

@@ -1,5 +1,7 @@
 """The Kalman filter that carries a root of the covariance: L Lᵀ is a covariance whatever rounding does to L."""
 
+from functools import cache
+
 import numpy as np
 
 from ..core.conditioning import decouple_missing
@@ -80,8 +82,15 @@ def divide_root(C, A):
 
 def triangular(A):
     """The lower triangular L (..., n, n) with L Lᵀ = A Aᵀ for A (..., n, any); its diagonal is not negative."""
-    L = np.linalg.qr(A.mT, mode="r").mT
-    return np.where(np.diagonal(L, axis1=-2, axis2=-1)[..., None, :] < 0, -L, L)
+    factored, _ = np.linalg.qr(A.mT, mode="raw")  # L is its lower triangle, but for the signs of the columns
+    L = factored[..., : A.shape[-2]]
+    return L * (_lower(*L.shape[-2:]) * np.copysign(1.0, np.diagonal(L, axis1=-2, axis2=-1))[..., None, :])
+
+
+@cache
+def _lower(rows, columns):
+    """True on and below the diagonal."""
+    return np.tri(rows, columns, dtype=bool)
 
 
 def turned(A):
