@@ -117,13 +117,15 @@ def browser(*flags):
 WATCH = """() => {
   window.loads = []; window.keys = [];
   document.addEventListener('load', e => { if (e.target.tagName == 'IMG') loads.push(performance.now()) }, true);
+  document.addEventListener('kf-picture', () => loads.push(performance.now()), true);
   document.addEventListener('keydown', e => keys.push(performance.now()), true);
 }"""
 
-BYTES = """async index => {
-  const bytes = await (await fetch(document.querySelectorAll('.widget-image')[index].src)).arrayBuffer();
-  return btoa(Array.from(new Uint8Array(bytes), b => String.fromCharCode(b)).join(''));
-}"""
+BYTES = """index => document.querySelectorAll('.kf-picture canvas')[index].toDataURL().split(',')[1]"""
+
+
+BOXES = ".kf-box"
+KNOB = 16  # pixels of a slider's knob in Chromium
 
 
 ASK = """async code => {
@@ -155,28 +157,38 @@ class Lab:
         errors = self.page.locator('.jp-RenderedText[data-mime-type="application/vnd.jupyter.stderr"]')
         assert errors.count() == 0, errors.first.inner_text()
 
-    def handle(self, slider):
-        """The knob of a slider, scrolled into view."""
-        handle = self.page.locator(".noUi-handle").nth(slider)
-        handle.scroll_into_view_if_needed()
-        return handle
+    def slider(self, index):
+        """A slider, scrolled into view: the course's own, or one of ipywidgets (its knob)."""
+        found = self.page.locator(".kf-control input[type=range], .noUi-handle").nth(index)
+        found.scroll_into_view_if_needed()
+        return found
 
     def press(self, slider, key):
         """Press a key on a slider."""
         self.before = self.pictures()
-        self.handle(slider).press(key)
+        self.slider(slider).press(key)
+
+    def knob(self, slider):
+        """Where a slider's knob is, and how long its way is: x, y, length."""
+        found = self.slider(slider)
+        box = found.bounding_box()
+        if found.evaluate("e => e.tagName") == "INPUT":
+            share = found.evaluate("e => (e.value - e.min) / (e.max - e.min)")
+            length = box["width"] - KNOB
+            return box["x"] + KNOB / 2 + share * length, box["y"] + box["height"] / 2, length
+        track = found.locator("xpath=ancestor::*[contains(@class, 'noUi-base')]").bounding_box()
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, track["width"]
 
     def drag(self, slider, share, swings=1, moves=60):
         """Take a slider's knob and move it over a share of its length, as a hand does: one movement each frame of the
         browser. With 3, 5, … swings it goes there, back and there again. Returns the seconds taken."""
-        box, track = self.handle(slider).bounding_box(), self.page.locator(".noUi-base").nth(slider).bounding_box()
-        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        x, y, length = self.knob(slider)
         mouse, self.before = self.page.mouse, self.pictures()
         mouse.move(x, y)
         mouse.down()
         start = time.monotonic()
         for swing in range(swings):
-            mouse.move(x + share * track["width"] * (1 - swing % 2), y, steps=moves)
+            mouse.move(x + share * length * (1 - swing % 2), y, steps=moves)
         took = time.monotonic() - start
         mouse.up()
         return took
@@ -191,18 +203,18 @@ class Lab:
         self.page.wait_for_function(f"() => performance.now() - loads.at(-1) > {1000 * quiet}", polling=50)
 
     def picture(self, index=0):
-        """The bytes of a live picture, as the browser has it now."""
+        """A live picture as the browser has it now: the bytes of a PNG file."""
         return base64.b64decode(self.page.evaluate(BYTES, index))
 
     def numbers(self):
         """What stands in the number boxes."""
-        boxes = self.page.locator(".widget-text input")
+        boxes = self.page.locator(BOXES)
         return [float(text) for text in boxes.evaluate_all("all => all.map(i => i.value)")]
 
     def type(self, box, text):
         """Type a number into a box."""
         self.before = self.pictures()
-        place = self.page.locator(".widget-text input").nth(box)
+        place = self.page.locator(BOXES).nth(box)
         place.fill(text)
         place.press("Enter")
 
@@ -214,7 +226,7 @@ class Lab:
     @contextmanager
     def film(self, index=0):
         """Film a picture as it is painted on the screen; yields a list that is filled with arrays of grey values."""
-        place = self.page.locator(".widget-image").nth(index).bounding_box()
+        place = self.page.locator(".kf-picture").nth(index).bounding_box()
         left, top, right, low = place["x"], place["y"], place["x"] + place["width"], place["y"] + place["height"]
         frames, tape = [], self.page.context.new_cdp_session(self.page)
 

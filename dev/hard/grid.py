@@ -49,18 +49,23 @@ def attempt(path, most):
 
 def sweep(path, most):
     """The numbers of settings that `everywhere` tried in a lesson."""
+    return [int(count) for count in inside(path, START, SWEEP.format(most=most)).split()]
+
+
+def inside(path, first, last):
+    """Run a lesson up to its last playground in a kernel of its own, with code around it; what the end prints."""
     from nbclient import NotebookClient
 
     from dev.teaching.load import cells_up_to_playground
 
-    sources = [START, *cells_up_to_playground(path), SWEEP.format(most=most)]
+    sources = [first, *cells_up_to_playground(path), last]
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in sources])
     resources = {"metadata": {"path": str(path.parent)}}
     environment = os.environ | {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     how = dict(extra_arguments=["--log-level=ERROR"], coalesce_streams=True, resources=resources)
     client = NotebookClient(notebook, timeout=600, kernel_name="python3", **how)
     asyncio.run(client.async_execute(env=environment))
-    return [int(count) for count in notebook.cells[-1].outputs[0].text.split()]
+    return "".join(output.get("text", "") for output in notebook.cells[-1].outputs)
 
 
 def shown(names):

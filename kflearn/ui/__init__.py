@@ -2,12 +2,13 @@
 
     from kflearn.ui import Playground, log_slider, slider
 
-`plots` draws, `Playground` makes a drawing live, and `choice`, `log_slider`, `slider` and `toggle` are its controls.
+`plots` draws, `Playground` makes a drawing live, `choice`, `log_slider`, `slider` and `toggle` are its controls, and
+`drag` lets the reader take hold of the picture.
 """
 
 from importlib import import_module
 
-__all__ = ["Playground", "choice", "log_slider", "plots", "slider", "toggle"]
+__all__ = ["Playground", "choice", "drag", "log_slider", "plots", "slider", "toggle"]
 
 
 def __dir__() -> list[str]:

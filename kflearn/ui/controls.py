@@ -1,8 +1,9 @@
 """The controls of a playground: sliders with a box for the exact number, named steps, switches."""
 
+from .handles import drag
 from .widgets import Choice, Slider, Toggle
 
-__all__ = ["Choice", "Slider", "Toggle", "choice", "log_slider", "slider", "toggle"]
+__all__ = ["Choice", "Slider", "Toggle", "choice", "drag", "log_slider", "slider", "toggle"]
 
 
 def log_slider(low, high, value, label=None, unit="") -> Slider:

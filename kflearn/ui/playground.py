@@ -12,27 +12,20 @@
 
     Playground(draw, update, Q=log_slider(1e-3, 1e3, 1, unit="V²"), R=log_slider(1e-3, 1e3, 1, unit="V²"))
 
-How it is fast: the figure is drawn once, without what moves. After a move only that is drawn, on a copy of the rest,
-and the pixels go to the browser as a small PNG with a fixed palette. How it keeps up: when several moves arrive before
-the next picture is made, only the last of them is drawn.
+How it is fast: the figure is drawn once, without what moves (`stage`). After a move only that is drawn, not as pixels
+but as a few thousand numbers (`recorder`), which the browser draws on top of the rest (`playground.js`), as sharp as
+its screen. How it keeps up: the browser has at most two moves under way (`live`).
 """
 
-import asyncio
-import html
 import itertools
 import re
-import threading
-import time
 import warnings
-
-import ipywidgets as ipw
-import numpy as np
+from functools import partial
 
 from . import plots
 from .contents import assert_finite, leaves, moving
-
-QUIET = 0.005  # seconds without a new move, then a picture is made …
-PATIENCE = 0.040  # … but never later than this after the first move it has to show
+from .live import Live, told
+from .stage import DPI, Stage
 
 
 class Playground:
@@ -49,13 +42,19 @@ class Playground:
         one sentence for the line under the controls, or None. It must not make new artists.
     size : (float, float)
         Width and height of the picture in inches, at 100 dots per inch.
+    handles : sequence of Handle
+        What one can take hold of in the picture, made by `drag`.
     **controls : log_slider, slider, choice or toggle
         One for each name that `update` takes.
 
     Attributes
     ----------
+    controls : dict
+        By name; the `value` of each is a trait that `observe` and `link` know.
     values : dict
         The controls' values now, by name.
+    widget : ipywidgets widget
+        What is shown, for layouts of your own.
     status : str
         The sentence under the controls.
     errors : int
@@ -79,37 +78,29 @@ class Playground:
     ({'slope': 2.0}, 'it rises by 2')
     """
 
-    def __init__(self, draw, update, *, size=(8, 4.5), **controls):
+    def __init__(self, draw, update, *, size=(8, 4.5), handles=(), **controls):
         self.draw, self.update, self.size = draw, update, size
         self.errors, self.last_error, self.status = 0, None, ""
-        self._lock = threading.RLock()  # JupyterLab's messages and the cells run in different threads
-        self._asked = self._drawn = 0  # moves so far; moves that the picture shows
-        self._oldest = self._finished = 0.0  # when the first move came that it does not show; when it was made
-        self.controls = {name: c.attach(name, self._moved, self._lock) for name, c in controls.items()}
-        self._stage()
-        self._assemble()
+        self.controls = {name: control.attach(name) for name, control in controls.items()}
+        self._stage = Stage(draw, partial(update, **self.values), size)
+        spec = dict(size=[round(DPI * side) for side in size], text=str(self))
+        spec["controls"] = [control.spec() for control in self.controls.values()]
+        spec["handles"] = [handle.check(self.controls) for handle in handles]
+        self._live = Live(self._stage, self.controls, handles, spec, self.refresh)
+        self.widget = self._live.view
+        self._good = self.values  # those of the last picture
+        self.status = self._update()
 
     # -- what the reader sees
-
-    def _assemble(self):
-        """The widgets: controls and the reset button in a row that wraps, the sentence, the picture."""
-        reset = ipw.Button(description="Reset", tooltip="Put every control back to where it started")
-        reset.layout = ipw.Layout(width="auto")
-        reset.on_click(lambda _: self.reset())
-        width = f"{round(100 * self.size[0])}px"
-        row = ipw.Layout(flex_flow="row wrap", align_items="center", overflow="visible", max_width=width)
-        head = ipw.Box([*(c.widget for c in self.controls.values()), reset], layout=row)
-        self._status = ipw.HTML(layout=ipw.Layout(max_width=width))
-        self._image = ipw.Image(format="png", layout=ipw.Layout(width=width, max_width="100%", height="auto"))
-        self.widget = ipw.VBox([head, self._status, self._image], layout=ipw.Layout(overflow="visible"))
-        self._send(self._render())
 
     def __str__(self):
         return "Playground: " + "; ".join(c.describe() for c in self.controls.values())
 
     def _repr_mimebundle_(self, **kwargs):
-        data = self.widget._repr_mimebundle_(**kwargs) | {"image/png": self.png(), "text/plain": str(self)}
-        return data, {"image/png": {"alt": f"{self}. {self.status}"}}
+        data = self.widget._repr_mimebundle_(**kwargs)
+        data, about = data if isinstance(data, tuple) else (data, {})
+        data = data | {"image/png": self.png(), "text/plain": str(self)}
+        return data, about | {"image/png": {"alt": f"{self}. {self.status}"}}
 
     def gallery(self, *settings, alt=None, size=(9, 3.6)) -> None:
         """Show the picture at several settings side by side, as one static figure: for print and where no kernel runs.
@@ -158,10 +149,7 @@ class Playground:
         ValueError
             For a name that no control has, or a value that the control cannot take.
         """
-        with self._lock:
-            for name, value in self._checked(values).items():
-                self.controls[name].put(value)
-            self.refresh()
+        self._live.set_by_program(self._checked(values))
 
     def reset(self) -> None:
         """Put every control back to where it started, and make the picture."""
@@ -174,81 +162,31 @@ class Playground:
                 raise ValueError(f"no control is named {name!r}; this playground has {', '.join(self.controls)}")
         return {name: self.controls[name].checked(value) for name, value in values.items()}
 
-    def _moved(self):
-        """A control has a new value. The first move is drawn at once; of those on its heels, the last is."""
-        now = time.monotonic()
-        if self._drawn == self._asked:
-            self._oldest = now
-        self._asked += 1
-        try:
-            loop = asyncio.get_running_loop()
-        except RuntimeError:  # no event loop, so nothing would come back to it later
-            return self.refresh()
-        waited = now - self._finished > QUIET or now - self._oldest > PATIENCE
-        loop.call_later(0 if waited else QUIET, self._settle, self._asked, waited)
-
-    def _settle(self, asked, waited):
-        """Make the picture for move number `asked`, unless a later move will."""
-        if self._drawn < asked and (waited or asked == self._asked):
-            self.refresh()
-
     # -- the picture
 
-    def refresh(self) -> None:
+    def refresh(self, **to) -> None:
         """Make the picture for the values of now, at once. An exception becomes the sentence under the controls."""
-        with self._lock:
-            asked = self._asked
+        with self._live.lock:
+            picture = None
             try:
-                picture = self._render()
+                self.status = self._update()
+                picture = self._stage.record() if self._live.watched else None
+                self._good = self.values
             except Exception as error:
                 self.errors, self.last_error = self.errors + 1, error
-                self.status = f"The picture is the one before: this setting made a {type(error).__name__}: {error}"
-                picture = None
-            self._drawn, self._finished = asked, time.monotonic()
-            self._send(picture)
+                self.status = told(error, self.update)
+            self._live.send(self.status, picture, **to)
 
     def png(self) -> bytes:
         """The picture as it is now, the bytes of a PNG file."""
-        return bytes(self._image.value)
+        with self._live.lock:
+            if self._good != self.values:  # the last update failed, perhaps half-way
+                self.update(self._stage.artists, **self._good)
+            return self._stage.png()
 
-    def _stage(self):
-        """Everything that is done once: draw what stays, keep its pixels, list what moves."""
-        self._fig, _ = plots.figure(0, size=self.size)
-        with plots.style():
-            self._artists = self.draw(self._fig)
-            self.update(self._artists, **self.values)
-        self._moving = moving(self._artists)
-        plots.fit(self._moving)
-        canvas = self._fig.canvas
-        canvas.draw()  # lays out the axes
-        self._fig.set_layout_engine("none")
-        for ax in self._fig.axes:
-            ax.autoscale(False)
-        for artist in self._moving:
-            artist.set_animated(True)  # left out by the next line
-        canvas.draw()
-        self._background = canvas.copy_from_bbox(self._fig.bbox)
-        legends = [ax.get_legend() for ax in self._fig.axes if ax.get_legend() and ax.get_legend().get_frame_on()]
-        self._legends = [canvas.copy_from_bbox(legend.get_window_extent()) for legend in legends]
-
-    def _render(self):
-        """Update and draw: the bytes of a PNG file. Exceptions pass through."""
-        self.status = str(self.update(self._artists, **self.values) or "")
-        canvas = self._fig.canvas
-        canvas.restore_region(self._background)
-        for artist in self._moving:
-            artist.draw(canvas.get_renderer())
-        for legend in self._legends:  # nothing moves over them
-            canvas.restore_region(legend)
-        return plots.encode(np.asarray(canvas.buffer_rgba()), quick=True)
-
-    def _send(self, picture):
-        """Picture, numbers and sentence to the browser."""
-        if picture:
-            self._image.value = picture
-        for control in self.controls.values():
-            control.show()
-        self._status.value = f'<div role="status" aria-live="polite">{html.escape(self.status)}&nbsp;</div>'
+    def _update(self):
+        """Let `update` move the artists; returns its sentence. Exceptions pass through."""
+        return str(self.update(self._stage.artists, **self.values) or "")
 
     # -- the test
 
@@ -267,12 +205,11 @@ class Playground:
         AssertionError
             For a number that is not finite in anything drawn (masked values are gaps and allowed) or in the sentence.
         """
-        with self._lock:
+        with self._live.lock:
             before, tried = self.values, 0
             try:
                 for setting in itertools.product(*(c.ends() for c in self.controls.values())):
-                    for control, value in zip(self.controls.values(), setting, strict=True):
-                        control.put(value)
+                    self._live.put(dict(zip(self.controls, setting, strict=True)))
                     try:
                         self._try()
                     except Exception as error:
@@ -287,6 +224,7 @@ class Playground:
         """Draw the setting of now, with warnings as errors, and look at every word and number in it."""
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            self._render()
-        for thing in [self.status, *leaves(self._artists)]:
+            self.status = self._update()
+            self._stage.record()
+        for thing in [self.status, *leaves(self._stage.artists)]:
             assert_finite(thing)

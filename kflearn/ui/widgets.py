@@ -1,16 +1,18 @@
-"""What the controls of a playground are made of: a value, its widgets, and words for them.
+"""What the controls of a playground are made of: a value that can be observed, and words for it.
 
-A control starts unbound; `attach` returns a copy with its name, its playground's lock and its widgets.
+A control starts unbound; `attach` returns a copy with its name.
 """
 
 import copy
 import math
-import re
+from numbers import Real
 
-import ipywidgets as ipw
+from traitlets import Any, HasTraits, TraitError, validate
+
+from . import labels
 
 
-class Control:
+class Control(HasTraits):
     """What all controls have in common. A playground uses the methods below.
 
     Attributes
@@ -18,46 +20,39 @@ class Control:
     start : float, int, str or bool
         The value at the beginning.
     value : float, int, str or bool
-        The value now; after `attach` only.
-    widget : ipywidgets widget
-        What is shown; after `attach` only.
+        The value now, a trait: `observe` and `link` know it.
     """
 
-    def attach(self, name, moved, lock) -> "Control":
-        """A copy with widgets.
+    value = Any()
 
-        Parameters
-        ----------
-        name : str
-            The control's name in its playground.
-        moved : function()
-            Called after the reader has changed the value.
-        lock : threading.RLock
-            Held while the value changes.
-        """
+    def attach(self, name) -> "Control":
+        """A copy that has a name and stands at its start."""
         bound = copy.copy(self)
-        bound.name, bound.moved, bound.lock = name, moved, lock
+        bound.name, bound.label = name, self.label or f"${name}$"
         bound.value = bound.start
-        bound.label = bound.label or f"${name}$"
-        bound.build()
         return bound
 
-    def take(self, value) -> None:
-        """Put this value, chosen by the reader, and tell the playground if it is a new one."""
-        with self.lock:
-            if value != self.value:
-                self.put(value)
-                self.moved()
+    @validate("value")
+    def _valid(self, proposal):
+        try:
+            return self.checked(proposal["value"])
+        except ValueError as error:
+            raise TraitError(str(error)) from None
 
     def caption(self, value) -> str:
         """The label with a value, for a title."""
         return f"{self.label} = {value}"
+
+    def spec(self) -> dict:
+        """What playground.js needs to know."""
+        return {"name": self.name, "label": labels.as_html(self.label), "plain": labels.plain(self.label)}
 
 
 class Slider(Control):
     """A slider and a box for the exact number; made by `slider` and `log_slider`."""
 
     def __init__(self, low, high, value, label, unit, log=False, step=None):
+        super().__init__()
         self.low, self.high, self.label, self.unit, self.log = low, high, label, unit, log
         whole = not log and all(isinstance(number, int) for number in (low, high, value, 1 if step is None else step))
         self.number = int if whole else float
@@ -66,57 +61,17 @@ class Slider(Control):
 
     def checked(self, value) -> float | int:
         """The value as a number of the slider's kind; ValueError outside its ends."""
-        if not isinstance(value, str) and self.low <= value <= self.high:
+        if isinstance(value, Real) and self.low <= value <= self.high:
             return self.number(value)
         raise ValueError(f"a control from {self.low:g} to {self.high:g} cannot be {value!r}")
 
-    def build(self) -> None:
-        """Make the widgets: the box, its unit and the slider."""
-        name = re.sub(r"[$\\{}]", "", self.label)
-        tip = f"{name} {self.range()}"
-        self.box = ipw.BoundedFloatText(
-            self.value, min=self.low, max=self.high, description=self.label, tooltip=tip,
-            style={"description_width": "initial"},
-            layout=ipw.Layout(width="auto", max_width=f"{max(10, 6.5 + 0.6 * len(name)):.3g}em"),
-        )  # fmt: skip
-        look = dict(readout=False, layout=ipw.Layout(width="auto", min_width="8em", flex="1 1 8em"))
+    def near(self, value) -> float | int:
+        """The nearest value that the hand could choose: three digits on a log slider, else a step; within the ends."""
         if self.log:
-            low, high = math.log10(self.low), math.log10(self.high)
-            step = 0.05 if high - low >= 2 else (high - low) / 100
-            self.slider = ipw.FloatLogSlider(self.value, min=low, max=high, step=step, **look)
+            value = float(f"{value:.3g}")
         else:
-            self.slider = ipw.FloatSlider(self.value, min=self.low, max=self.high, step=self.step, **look)
-        self.slider.tooltip = tip
-        self.box.observe(self._typed, "value")
-        self.slider.observe(self._dragged, "value")
-        unit = ipw.HTML(self.unit)
-        self.widget = ipw.HBox([self.box, unit, self.slider])
-        self.widget.layout = ipw.Layout(flex="1 1 22em", max_width="40em", align_items="center", overflow="visible")
-
-    def _typed(self, change):
-        """A number was typed. Where only whole ones count, the box shows the one that it is taken for."""
-        self.box.value = number = self.number(change["new"])
-        self.take(number)
-
-    def _dragged(self, change):
-        """The slider has moved; not a new value when the browser has only put it on the nearest of its steps."""
-        if abs(self._place(change["new"]) - self._place(self.value)) > 0.51 * self.slider.step:
-            value = float(f"{change['new']:.3g}") if self.log else round(change["new"], 12)
-            self.take(self.number(min(max(value, self.low), self.high)))
-
-    def _place(self, value):
-        """Where a value is on the slider, in the unit of its step."""
-        return math.log10(value) if self.log else value
-
-    def put(self, value) -> None:
-        """Set the value, and the slider where it stands elsewhere; the box follows with `show`."""
-        self.value = value
-        if abs(self._place(self.slider.value) - self._place(value)) > 0.51 * self.slider.step:
-            self.slider.value = value
-
-    def show(self) -> None:
-        """Let the box show the value, once the picture does."""
-        self.box.value = self.value
+            value = round(self.low + self.step * round((value - self.low) / self.step), 12)
+        return self.number(min(max(value, self.low), self.high))
 
     def ends(self) -> tuple:
         """Both ends and the middle between them."""
@@ -135,11 +90,27 @@ class Slider(Control):
         """Its name and its ends, for those who see no slider."""
         return f"{self.name} {self.range()}"
 
+    def spec(self) -> dict:
+        """What playground.js needs to know; `step` is one of the places of the slider, decades where it is `log`."""
+        step = self.step
+        if self.log:
+            decades = math.log10(self.high / self.low)
+            step = 0.05 if decades >= 2 else decades / 100
+        about = dict(kind="slider", low=self.low, high=self.high, step=step, log=self.log, unit=self.unit)
+        about |= dict(whole=self.number is int, range=self.range(), digits=self._digits())
+        return super().spec() | about
+
+    def _digits(self):
+        """How many signs the box has room for."""
+        places = [1, 2, 3] if self.log else [self.low + self.step * k for k in range(4)]
+        return max(len(f"{number:g}") for number in (self.low, self.high, *map(self.number, places)))
+
 
 class Choice(Control):
     """Buttons of which one is pressed; made by `choice`."""
 
     def __init__(self, options, value, label):
+        super().__init__()
         self.options, self.label = options, label
         self.start = self.checked(options[0] if value is None else value)
 
@@ -149,19 +120,6 @@ class Choice(Control):
             return value
         raise ValueError(f"a choice of {', '.join(map(str, self.options))} cannot be {value!r}")
 
-    def build(self) -> None:
-        """Make the widgets: the label and the buttons."""
-        self.buttons = ipw.ToggleButtons(options=self.options, value=self.value, style={"button_width": "auto"})
-        self.widget = ipw.HBox([ipw.Label(self.label), self.buttons], layout=ipw.Layout(overflow="visible"))
-        self.buttons.observe(lambda change: self.take(change["new"]), "value")
-
-    def put(self, value) -> None:
-        """Set the value and press its button."""
-        self.value = self.buttons.value = value
-
-    def show(self) -> None:
-        """Nothing is left to do: the buttons show the value already."""
-
     def ends(self) -> tuple:
         """All options."""
         return tuple(self.options)
@@ -170,6 +128,10 @@ class Choice(Control):
         """Its name and its options, for those who see no buttons."""
         return f"{self.name}: {', '.join(map(str, self.options))}"
 
+    def spec(self) -> dict:
+        """What playground.js needs to know."""
+        return super().spec() | dict(kind="choice", options=self.options)
+
 
 class Toggle(Choice):
     """A check box; made by `toggle`."""
@@ -177,11 +139,9 @@ class Toggle(Choice):
     def __init__(self, value, label):
         super().__init__([False, True], value, label)
 
-    def build(self) -> None:
-        """Make the widget: a check box with its label."""
-        layout = ipw.Layout(width="auto")
-        self.widget = self.buttons = ipw.Checkbox(self.value, description=self.label, indent=False, layout=layout)
-        self.buttons.observe(lambda change: self.take(change["new"]), "value")
+    def checked(self, value) -> bool:
+        """The value as True or False; ValueError if it is neither."""
+        return bool(super().checked(value))
 
     def caption(self, value) -> str:
         """The label with "on" or "off", for a title."""
@@ -190,3 +150,7 @@ class Toggle(Choice):
     def describe(self) -> str:
         """Its name and what it can be, for those who see no check box."""
         return f"{self.name}: on or off"
+
+    def spec(self) -> dict:
+        """What playground.js needs to know."""
+        return super().spec() | dict(kind="toggle")

@@ -1,49 +1,37 @@
 """Sliders, number boxes, choices and check boxes without a browser."""
 
-import asyncio
 import math
 
+import ipywidgets
 import pytest
+from traitlets import TraitError, link
 
 from kflearn.ui import choice, log_slider, slider, toggle
-from tests.ui.samples import make
+from tests.ui.samples import Browser, make
 
 
-def test_number_box_and_slider():
+def test_a_move_is_answered_with_values_and_picture():
     lively = make()
-    control = lively.controls["Q"]
-    control.box.value = 1.2345  # typed
-    assert lively.values["Q"] == 1.2345
-    assert control.slider.value == pytest.approx(1.2345, rel=0.07)
-    control.slider.value = 10**0.1  # the browser moves the handle to its nearest step: not a new value
-    assert lively.values["Q"] == 1.2345
-    control.slider.value = 10**0.55  # dragged
-    assert lively.values["Q"] == control.box.value == 3.55
-    control.box.value = 1e9
-    assert lively.values["Q"] == 100
+    answer = Browser(lively).move(values={"Q": 1.2345})
+    assert lively.values["Q"] == answer["values"]["Q"] == 1.2345
+    assert answer["status"] == "Q = 1.2345, R = 0.5"
+    assert answer["ops"]
+    assert answer["n"] == 1
+
+
+@pytest.mark.parametrize("wrong", [{"Q": 1e9}, {"Q": "much"}, {"S": 1}, {"Q": None}])
+def test_what_a_control_cannot_take_is_left_out(wrong):
+    lively = make()
+    answer = Browser(lively).move(values={"R": 1.0, **wrong})
+    assert lively.values == answer["values"] == {"Q": 1.0, "R": 1.0}
     assert lively.errors == 0
-
-
-def test_number_box_waits_for_the_picture():
-    async def drag():
-        lively = make()
-        control = lively.controls["Q"]
-        control.slider.value = 10**0.55
-        first = control.box.value
-        await asyncio.sleep(0.05)
-        return first, control.box.value
-
-    assert asyncio.run(drag()) == (1, 3.55)
 
 
 def test_whole_numbers():
     lively = make(lambda live, n: f"{n!r}", n=slider(1, 50, 10))
-    lively.controls["n"].slider.value = 17.0
+    assert Browser(lively).move(values={"n": 17.0})["values"] == {"n": 17}
     assert lively.status == "17"
     assert lively.controls["n"].ends() == (1, 25, 50)
-    for typed, taken in ((17.7, 17), (18.2, 18), (18.9, 18)):  # also when it is the number that was there before
-        lively.controls["n"].box.value = typed
-        assert lively.values["n"] == lively.controls["n"].box.value == taken
 
 
 def test_choice_and_toggle():
@@ -51,11 +39,12 @@ def test_choice_and_toggle():
         return f"{step} {band}"
 
     lively = make(steps, step=choice(["predict", "measure", "correct"]), band=toggle(True, label="show the band"))
+    browser = Browser(lively)
     assert lively.status == "predict True"
-    lively.controls["step"].buttons.value = "correct"
-    lively.controls["band"].widget.value = False
+    browser.move(values={"step": "correct"})
+    browser.move(values={"band": False})
     assert lively.status == "correct False"
-    lively.reset()
+    browser.move(reset=True)
     assert lively.status == "predict True"
     assert lively.sweep() == 6
     assert str(lively) == "Playground: step: predict, measure, correct; band: on or off"
@@ -86,8 +75,43 @@ def test_two_playgrounds_share_a_description_not_a_value():
     assert two.values == {"Q": 1}
 
 
+def test_values_are_traits_that_other_widgets_can_follow():
+    lively, other, seen = make(), ipywidgets.FloatText(3.0), []
+    browser = Browser(lively)
+    lively.controls["Q"].observe(lambda change: seen.append(change["new"]), "value")
+    link((other, "value"), (lively.controls["Q"], "value"))
+    assert lively.status == "Q = 3, R = 0.5"
+    browser.move(values={"Q": 7.0})
+    assert other.value == 7
+    other.value = 20
+    assert browser.heard[-1][0]["values"]["Q"] == lively.values["Q"] == 20
+    assert seen == [3, 7, 20]
+    with pytest.raises(TraitError, match=r"from 0\.01 to 100 cannot be 1000"):
+        lively.controls["Q"].value = 1000
+
+
+def test_a_widget_nests_in_layouts():
+    assert ipywidgets.VBox([make().widget]).children[0].spec["size"] == [600, 300]
+
+
 def test_names_for_those_who_do_not_see():
-    control = make().controls["Q"]
-    assert control.box.description == "$Q$"
-    assert control.box.tooltip == "Q from 0.01 to 100 V²"
-    assert 'role="status" aria-live="polite"' in make()._status.value
+    q = make(Q=log_slider(0.01, 100, 1, label=r"$\sigma_x$", unit="V²"), update=lambda live, Q: "").widget.spec
+    (spec,) = q["controls"]
+    assert spec["plain"] == "sigma x"
+    assert spec["range"] == "from 0.01 to 100 V²"
+    assert spec["label"].startswith('<svg aria-hidden="true"')
+
+
+@pytest.mark.parametrize(
+    ("control", "value", "near"),
+    [
+        (log_slider(0.01, 100, 1), 3.14159, 3.14),
+        (log_slider(0.01, 100, 1), 1e9, 100),
+        (slider(0.0, 2.0, 1.0), 0.777, 0.78),
+        (slider(1, 50, 10), 7.6, 8),
+        (slider(1, 15, 1, step=2), 7.6, 7),
+    ],
+)
+def test_the_nearest_value_a_hand_could_choose(control, value, near):
+    assert control.near(value) == near
+    assert type(control.near(value)) is type(control.start)

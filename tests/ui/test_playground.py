@@ -1,10 +1,12 @@
 """Live pictures without a browser: the picture follows, errors are told, what is saved with the notebook."""
 
+import re
+
 import numpy as np
 
 from kflearn import plots
 from kflearn.ui import log_slider, slider
-from tests.ui.samples import T, draw, make, pixels, update
+from tests.ui.samples import Browser, T, draw, make, pixels, update
 
 # ---- pictures
 
@@ -26,9 +28,9 @@ def test_blitting_gives_the_same_picture_as_drawing_all():
     lively.set(Q=7.0, R=1.25)
     fresh = make(Q=log_slider(0.01, 100, 7.0), R=slider(0.0, 2.0, 1.25))
     assert lively.png() == fresh.png()
-    for artist in lively._moving:
+    for artist in lively._stage.moving:
         artist.set_animated(False)
-    whole = plots.pixels(lively._fig)[..., :3].astype(int)
+    whole = plots.pixels(lively._stage.fig)[..., :3].astype(int)
     different = np.abs(whole - pixels(lively.png())).max(axis=-1) > 40
     assert different.mean() < 0.002  # nothing but what crosses the frame of the axes or the legend
 
@@ -44,7 +46,7 @@ def test_the_axes_do_not_jump():
         return plots.estimate(fig.subplots(), T, T)
 
     lively = make(lambda live, Q: live.set(T, Q * T) and "", free, Q=log_slider(0.1, 10, 1))
-    (ax,) = lively._fig.axes
+    (ax,) = lively._stage.fig.axes
     before = ax.get_ylim(), ax.get_position().bounds
     assert before[0][1] > 99  # fitted to the first picture
     lively.set(Q=10)
@@ -69,16 +71,31 @@ def test_an_exception_is_told_and_counted_and_the_playground_lives():
         return update(live, Q, R)
 
     lively = make(fragile)
+    browser = Browser(lively)
     before = lively.png()
-    lively.controls["Q"].slider.value = 50.0
+    answer = browser.move(values={"Q": 50.0})
     assert lively.errors == 1
     assert isinstance(lively.last_error, ZeroDivisionError)
+    assert answer["status"] == lively.status
     assert "ZeroDivisionError: <division> by zero" in lively.status
-    assert "&lt;division&gt;" in lively._status.value
+    assert re.search(r'in line \d+, raise ZeroDivisionError\("<division> by zero"\), with', lively.status)
+    assert "ops" not in answer, "the picture stays"
     assert lively.png() == before
     lively.set(Q=1.0)
     assert lively.status == "Q = 1, R = 0.5"
     assert lively.errors == 1
+
+
+def test_after_an_exception_half_way_the_saved_picture_is_the_one_before():
+    def fragile(live, Q, R):
+        update(live, Q, R)
+        return 1 / (Q < 10)
+
+    lively = make(fragile)
+    before = lively.png()
+    lively.set(Q=50.0)
+    assert lively.errors == 1
+    assert lively.png() == before
 
 
 # ---- what is saved with the notebook
