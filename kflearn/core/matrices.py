@@ -43,6 +43,7 @@ def root(P) -> np.ndarray:
     except np.linalg.LinAlgError:
         correlation, scale = correlations(P)
         values, vectors = np.linalg.eigh(correlation)
+        scale = np.where(np.diagonal(P, axis1=-2, axis2=-1) > 0, scale, 0)  # what is known exactly stays so
         return scale[..., :, None] * vectors * np.sqrt(np.maximum(values, 0))[..., None, :]
 
 
