@@ -47,6 +47,20 @@ def root(P) -> np.ndarray:
         return scale[..., :, None] * vectors * np.sqrt(np.maximum(values, 0))[..., None, :]
 
 
+def solve_lower(L, b) -> np.ndarray:
+    """L⁻¹ b for a lower triangular L (..., m, m) and b (..., m), one component after the other.
+
+    Turned upside down L is upper triangular, and np.linalg.solve finds no pivots to choose. Of L itself it would choose
+    some where the rows have units of very different sizes, and lose digits.
+    """
+    return np.linalg.solve(L[..., ::-1, ::-1], b[..., ::-1, None])[..., ::-1, 0]
+
+
+def inverse_lower(L) -> np.ndarray:
+    """L⁻¹ for a lower triangular L (..., m, m), without pivots as in solve_lower."""
+    return np.linalg.inv(L.mT).mT
+
+
 def step_matrix(matrix, k) -> np.ndarray:
     """The matrix of step k: `matrix` itself, or its k-th slice where it is a stack (..., T, rows, columns)."""
     if matrix.ndim == 2:
