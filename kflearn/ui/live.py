@@ -16,6 +16,9 @@ class View(anywidget.AnyWidget):
     _esm = HERE / "playground.js"
     _css = HERE / "playground.css"
     spec = traitlets.Dict().tag(sync=True)
+    first = traitlets.Bytes().tag(
+        sync=True
+    )  # a PNG file: the picture until the kernel answers, and where there is none
 
 
 class Live:

@@ -315,6 +315,16 @@ export function render({ model, el }) {
   const listen = (message, buffers) => (order = order.then(() => take(message, buffers)).catch(console.error));
   model.on("msg:custom", listen);
 
+  async function begin(file) {
+    const image = await bitmap(file);
+    if (!state.stage) [canvas.width, canvas.height] = [image.width, image.height];
+    if (!state.stage) canvas.getContext("2d").drawImage(image, 0, 0);
+  }
+  const first = model.get("first"); // the picture when the cell ran: until the kernel answers, and where there is none
+  if (first?.byteLength) order = begin(first).catch(console.error);
+  canvas.setAttribute("aria-label", spec.text);
+  for (const { name, start } of spec.controls) controls[name].set(start);
+
   // -- how fine the screen is: asked again when the page is zoomed or moved to another screen
 
   function greet() {

@@ -14,7 +14,7 @@ START = """async ([script, spec, views]) => {
   const { render } = await import(`data:text/javascript;base64,${script}`);
   const off = (_, listener) => (listeners = listeners.filter(each => each !== listener));
   const send = content => { sent.push(content); most = Math.max(most, sent.length) };
-  const model = { get: () => spec, send, on: (_, listener) => listeners.push(listener), off };
+  const model = { get: name => ({ spec })[name], send, on: (_, listener) => listeners.push(listener), off };
   for (let i = 0; i < views; i++) {
     const el = document.createElement("div");
     document.querySelector("main").append(el);

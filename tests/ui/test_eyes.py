@@ -110,7 +110,8 @@ def test_all_fits_on_the_screen(chromium, width):
     alone.close()
 
 
-DARK = ":root { --jp-content-font-color1: #fff; --jp-layout-color1: #111; --jp-border-color0: #bbb } body { background: #111 }"
+DARK = """body { background: #111 }
+:root { --jp-content-font-color1: #fff; --jp-layout-color1: #111; --jp-border-color0: #bbb }"""
 
 
 @pytest.mark.skipif(not axe.source(), reason="axe-core is neither in build/axe nor to be had from npm")
