@@ -40,7 +40,7 @@ def keep(package):
 
 
 def faults(page, part=".kf-playground") -> list[str]:
-    """What axe-core calls serious or critical in a part of a page ("html" is the whole), with the elements concerned."""
+    """What axe-core calls serious or critical in a part of a page ("html" is the whole), with its elements."""
     if not page.evaluate("'axe' in window"):
         page.evaluate(source())
     return page.evaluate(RUN, part)

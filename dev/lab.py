@@ -116,8 +116,9 @@ def browser(*flags):
 
 WATCH = """() => {
   window.loads = []; window.keys = [];
-  document.addEventListener('load', e => { if (e.target.matches?.('.jp-OutputArea img')) loads.push(performance.now()) }, true);
-  document.addEventListener('kf-picture', () => loads.push(performance.now()), true);
+  const came = () => loads.push(performance.now());
+  document.addEventListener('load', e => e.target.matches?.('.jp-OutputArea img') && came(), true);
+  document.addEventListener('kf-picture', came, true);
   document.addEventListener('keydown', e => keys.push(performance.now()), true);
 }"""
 
@@ -138,8 +139,9 @@ ASK = """async code => {
 
 
 class Lab:
-    """A notebook open in JupyterLab, or in Notebook 7. Sliders, number boxes and pictures are counted from 0 in the order
-    of the page; `how` is for the page, such as device_scale_factor=2."""
+    """A notebook open in JupyterLab, or in Notebook 7; `how` is for the page, such as device_scale_factor=2.
+
+    Sliders, number boxes and pictures are counted from 0 in the order of the page."""
 
     def __init__(self, chromium, url, name, width=1280, height=1000, seven=False, **how):
         self.page = chromium.new_page(viewport={"width": width, "height": height}, **how)

@@ -1,4 +1,4 @@
-"""Playgrounds in JupyterLab and Notebook 7, in a real browser, with a real kernel: moves, cells that compute, faults."""
+"""Playgrounds in JupyterLab and Notebook 7, with a real kernel: moves, cells that compute, faults."""
 
 import json
 import os
@@ -36,7 +36,8 @@ def update(artists, Q, R):
     return f"Q = {Q:g}, R = {R:g}"
 def make():
     handle = drag(y=(lambda Q, R: R**0.2 / 5, lambda y, **values: {"R": max(5 * y, 0)**5}, "R"), label="the band")
-    return Playground(draw, update, size=(6, 3), handles=[handle], Q=log_slider(1e-3, 1e3, 1), R=log_slider(1e-3, 1e3, 1))
+    sliders = dict(Q=log_slider(1e-3, 1e3, 1), R=log_slider(1e-3, 1e3, 1))
+    return Playground(draw, update, size=(6, 3), handles=[handle], **sliders)
 live = make()
 """
 PLAIN = SETUP, "live"
@@ -250,7 +251,7 @@ def test_notebook_7(chromium, url):
     lab.press(0, "ArrowRight")
     lab.settle()
     lab.drag(1, 0.3)
-    values, picture = right(lab)
+    values, _ = right(lab)
     assert values[0] == 1.12 and values[1] > 5
     handle = lab.page.locator(".kf-handle")
     box, lab.before = handle.bounding_box(), lab.pictures()
