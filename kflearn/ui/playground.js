@@ -260,7 +260,8 @@ export function render({ model, el }) {
   frame.append(...handles);
   const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element), reset);
   const whole = element("div", { class: "kf-playground", style: `max-width: ${wide}px` }, row, sentence, spoken, frame);
-  whole.setAttribute("data-lm-suppress-shortcuts", "true"); // else Notebook 7 takes the arrow keys, and JupyterLab:
+  // Else Notebook 7 takes the arrow keys for itself, and JupyterLab those that come up to it.
+  for (const made of whole.querySelectorAll("input, button")) made.setAttribute("data-lm-suppress-shortcuts", "true");
   for (const kind of ["keydown", "keyup"]) row.addEventListener(kind, (event) => event.stopPropagation());
   frame.addEventListener("keydown", (event) => event.stopPropagation());
   frame.style.aspectRatio = `${wide} / ${high}`;
