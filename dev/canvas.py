@@ -142,11 +142,8 @@ def main(number, target=None):
 
     (path,) = (path for path in course.lessons() if path.name[:2] == number)
     with tempfile.TemporaryDirectory() as folder:
-        begin, end = (
-            "from dev import canvas, hard\nimport dev.hard.grid",
-            "canvas.keep_all(hard.grid.shown(globals()), {!r})",
-        )
-        inside(path, begin, end.format(folder))
+        begin = "from dev import canvas\nfrom dev.hard.grid import shown"
+        inside(path, begin, f"canvas.keep_all(shown(globals()), {folder!r})")
         with browser() as chromium:
             blank = page(chromium)
             for words, differ in shares(blank, folder):

@@ -80,11 +80,12 @@ def stop(process):
 
 
 @contextmanager
-def server(folder, config=ROOT, quiet=True):
+def server(folder, config=ROOT, quiet=True, package=None):
     """A JupyterLab server for a folder, started as `make course` does; yields its URL with {} for the path of a page.
 
     config : the folder with jupyter_server_config.py, or None for Jupyter as it comes
     quiet : without the pop-up that asks about news of Jupyter
+    package : a folder with another kflearn than the one that is installed
     """
     port, token = free_port(), secrets.token_hex(16)
     command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}"]
@@ -92,6 +93,7 @@ def server(folder, config=ROOT, quiet=True):
     command += ["--LabApp.expose_app_in_browser=True", "--JupyterNotebookApp.expose_app_in_browser=True"]
     with tempfile.TemporaryDirectory() as home:
         env, file = variables(home, config, quiet), f"{home}/log"
+        env |= {"PYTHONPATH": str(package)} if package else {}
         with open(file, "wb") as log:
             process = subprocess.Popen(command, cwd=ROOT, env=env, stdout=log, stderr=log, start_new_session=True)
         try:

@@ -53,7 +53,7 @@ def clipped(ax):
     line = ax.plot(X, np.sin(9 * X), "k", linewidth=2)[0]
     words = ax.text(6, 0, "cut in two", fontsize=30)
     band.set_clip_path(circle)
-    line.set_clip_path(Path(Path.unit_regular_star(5).vertices + [6, 0]), ax.transData)
+    line.set_clip_path(Path(np.add(Path.unit_regular_star(5).vertices, [6, 0])), ax.transData)
     words.set_clip_box(ax.bbox.shrunk(0.75, 0.54))
     return [band, line, words]
 
