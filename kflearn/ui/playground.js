@@ -178,11 +178,18 @@ function handle(i, move, nudge) {
   return made;
 }
 
-function put(made, { at, area, along, words }, ratio) {
+function together(nudge, another) {
+  if (!another || another[0] !== nudge[0]) return another || nudge;
+  return [nudge[0], nudge[1] + another[1], nudge[2] + another[2]];
+}
+
+function put(made, { at, area, along, words }, picture) {
   made.at = at;
   const [x, y, width, height] = area;
-  Object.assign(made.style, { left: `${x / ratio}px`, top: `${y / ratio}px`, width: `${width / ratio}px` });
-  Object.assign(made.style, { height: `${height / ratio}px`, cursor: { x: "ew-resize", y: "ns-resize" }[along] || "move" });
+  const [across, down] = [(part) => `${(100 * part) / picture.width}%`, (part) => `${(100 * part) / picture.height}%`];
+  Object.assign(made.style, { left: across(x + width / 2), top: down(y + height / 2) }); // its middle
+  Object.assign(made.style, { width: across(width), height: down(height) });
+  made.style.cursor = { x: "ew-resize", y: "ns-resize" }[along] || "move";
   if (made.getAttribute("aria-label") !== words) made.setAttribute("aria-label", words);
 }
 
@@ -191,6 +198,7 @@ function put(made, { at, area, along, words }, ratio) {
 const BUSY = "The kernel is busy with a cell. The picture follows when it is free.";
 const LOST = "The kernel does not answer. If no cell is running: Kernel → Restart Kernel, then run the cells again.";
 const MANY = 2; // moves under way at once: while one picture is drawn, the next is made
+const PATIENCE = [1.5, 20]; // seconds without an answer, until these sentences are shown
 
 export function render({ model, el }) {
   const spec = model.get("spec");
@@ -207,24 +215,34 @@ export function render({ model, el }) {
 
   function ask(change, names) {
     for (const name of names) state.asked[name] = state.sent + 1; // the move that will carry it
-    const values = { ...state.next?.values, ...change.values };
-    state.next = { ...state.next, ...change, values };
+    const { nudge, values, ...rest } = state.next && !change.reset ? state.next : {};
+    state.next = { ...rest, ...change, values: { ...values, ...change.values } };
+    if (nudge && !change.drag) state.next.nudge = together(nudge, change.nudge);
     send();
   }
   function send() {
     if (!state.next || state.waiting >= MANY) return;
     state.waiting += 1;
     state.sent += 1;
-    model.send({ kind: "move", view, n: state.sent, epoch: state.epoch, ...state.next });
+    tell({ kind: "move", view, n: state.sent, epoch: state.epoch, ...state.next });
     state.next = null;
     if (state.waiting === 1) watch();
+  }
+  function tell(message) {
+    try {
+      model.send(message);
+    } catch (error) {
+      console.warn(error);
+      say(LOST);
+    }
   }
   function watch() {
     clearTimeout(state.busy);
     clearTimeout(state.lost);
-    if (!state.waiting) return;
-    state.busy = setTimeout(() => say(BUSY), 1500);
-    state.lost = setTimeout(() => say(LOST), 20000);
+    if (!state.waiting && state.stage) return;
+    const [busy, lost] = spec.patience || PATIENCE;
+    state.busy = setTimeout(() => say(BUSY), 1000 * busy);
+    state.lost = setTimeout(() => say(LOST), 1000 * lost);
   }
 
   const controls = Object.fromEntries(
@@ -242,6 +260,8 @@ export function render({ model, el }) {
   frame.append(...handles);
   const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element), reset);
   const whole = element("div", { class: "kf-playground", style: `max-width: ${wide}px` }, row, sentence, spoken, frame);
+  // Else Notebook 7 takes the arrow keys for itself, and JupyterLab those that come up to it.
+  for (const made of whole.querySelectorAll("input, button")) made.setAttribute("data-lm-suppress-shortcuts", "true");
   for (const kind of ["keydown", "keyup"]) row.addEventListener(kind, (event) => event.stopPropagation());
   frame.addEventListener("keydown", (event) => event.stopPropagation());
   frame.style.aspectRatio = `${wide} / ${high}`;
@@ -262,7 +282,6 @@ export function render({ model, el }) {
   }
   async function take(message, buffers) {
     if (message.kind === "stage") {
-      if (message.ratio !== state.ratio) return;
       const image = await bitmap(buffers[0]);
       [canvas.width, canvas.height] = [below.width, below.height] = [message.width, message.height];
       below.getContext("2d").drawImage(image, 0, 0);
@@ -270,12 +289,12 @@ export function render({ model, el }) {
       return;
     }
     const mine = message.view === view;
+    if (message.epoch !== state.epoch) Object.assign(state, { epoch: message.epoch, next: null, asked: {} });
     if (mine && message.n) {
       state.waiting = Math.max(0, state.waiting - 1);
       send();
-      watch();
     }
-    state.epoch = message.epoch;
+    if (mine) watch();
     for (const name of all) {
       if (!mine || !message.n || !(state.asked[name] > message.n)) controls[name].set(message.values[name]);
     }
@@ -292,11 +311,21 @@ export function render({ model, el }) {
     pen.drawImage(below, 0, 0);
     paint(pen, message, numbers, images);
     for (const side of state.stage.legends) pen.drawImage(below, ...side, ...side); // nothing moves over them
-    message.handles.forEach((place, i) => put(handles[i], place, state.stage.width / wide));
+    message.handles.forEach((place, i) => put(handles[i], place, state.stage));
     canvas.setAttribute("aria-label", `${spec.text}. ${message.status}`);
   }
   const listen = (message, buffers) => (order = order.then(() => take(message, buffers)).catch(console.error));
   model.on("msg:custom", listen);
+
+  async function begin(file) {
+    const image = await bitmap(file);
+    if (!state.stage) [canvas.width, canvas.height] = [image.width, image.height];
+    if (!state.stage) canvas.getContext("2d").drawImage(image, 0, 0);
+  }
+  const first = model.get("first"); // the picture when the cell ran: until the kernel answers, and where there is none
+  if (first?.byteLength) order = begin(first).catch(console.error);
+  canvas.setAttribute("aria-label", spec.text);
+  for (const { name, start } of spec.controls) controls[name].set(start);
 
   // -- how fine the screen is: asked again when the page is zoomed or moved to another screen
 
@@ -304,7 +333,8 @@ export function render({ model, el }) {
     const ratio = Math.min(Math.max(window.devicePixelRatio || 1, 1), 3);
     if (ratio === state.ratio) return;
     state.ratio = ratio;
-    model.send({ kind: "hello", view, ratio });
+    tell({ kind: "hello", view, ratio });
+    watch();
     state.screen?.removeEventListener("change", greet);
     state.screen = matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
     state.screen.addEventListener("change", greet);

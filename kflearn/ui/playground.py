@@ -97,9 +97,10 @@ class Playground:
         return "Playground: " + "; ".join(c.describe() for c in self.controls.values())
 
     def _repr_mimebundle_(self, **kwargs):
+        self.widget.first = self.png()
         data = self.widget._repr_mimebundle_(**kwargs)
         data, about = data if isinstance(data, tuple) else (data, {})
-        data = data | {"image/png": self.png(), "text/plain": str(self)}
+        data = data | {"image/png": self.widget.first, "text/plain": str(self)}
         return data, about | {"image/png": {"alt": f"{self}. {self.status}"}}
 
     def gallery(self, *settings, alt=None, size=(9, 3.6)) -> None:
