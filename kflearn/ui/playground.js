@@ -156,7 +156,7 @@ function toggle(control, moved) {
 // ---- handles: what one can take hold of in the picture
 
 function handle(i, move, nudge) {
-  const made = element("button", { class: "kf-handle", type: "button" });
+  const made = element("button", { class: "kf-handle", type: "button", hidden: true });
   let from = null;
   const scale = () => made.parentElement.querySelector("canvas").width / made.parentElement.clientWidth;
   made.addEventListener("pointerdown", (event) => {
@@ -178,11 +178,13 @@ function handle(i, move, nudge) {
   return made;
 }
 
-function put(made, { at, area, along, words }, ratio) {
+function put(made, { hidden, at, area, along, line, words }, ratio) {
+  made.hidden = Boolean(hidden);
+  if (hidden) return;
   made.at = at;
-  const [x, y, width, height] = area;
-  Object.assign(made.style, { left: `${x / ratio}px`, top: `${y / ratio}px`, width: `${width / ratio}px` });
-  Object.assign(made.style, { height: `${height / ratio}px`, cursor: { x: "ew-resize", y: "ns-resize" }[along] || "move" });
+  made.className = `kf-handle kf-along-${along}${line ? " kf-line" : ""}`;
+  const [left, top, width, height] = area.map((side) => `${side / ratio}px`);
+  Object.assign(made.style, { left, top, width, height });
   if (made.getAttribute("aria-label") !== words) made.setAttribute("aria-label", words);
 }
 
@@ -240,9 +242,13 @@ export function render({ model, el }) {
     handle(i, (i, at) => ask({ drag: [i, ...at] }, names), (i, by) => ask({ nudge: [i, ...by] }, names)),
   );
   frame.append(...handles);
-  const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element), reset);
-  const whole = element("div", { class: "kf-playground", style: `max-width: ${wide}px` }, row, sentence, spoken, frame);
-  for (const kind of ["keydown", "keyup"]) row.addEventListener(kind, (event) => event.stopPropagation());
+  const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element));
+  const under = element("div", { class: "kf-under" }, sentence, reset);
+  const style = `max-width: ${wide}px`;
+  const whole = element("div", { class: "kf-playground", style }, row, under, spoken, frame);
+  for (const part of [row, under]) {
+    for (const kind of ["keydown", "keyup"]) part.addEventListener(kind, (event) => event.stopPropagation());
+  }
   frame.addEventListener("keydown", (event) => event.stopPropagation());
   frame.style.aspectRatio = `${wide} / ${high}`;
   el.replaceChildren(whole);

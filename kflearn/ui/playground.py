@@ -43,7 +43,7 @@ class Playground:
     size : (float, float)
         Width and height of the picture in inches, at 100 dots per inch.
     handles : sequence of Handle
-        What one can take hold of in the picture, made by `drag`.
+        What one can take hold of in the picture, made by `drag` and `drag_bell`.
     **controls : log_slider, slider, choice or toggle
         One for each name that `update` takes.
 
@@ -226,5 +226,6 @@ class Playground:
             warnings.simplefilter("error")
             self.status = self._update()
             self._stage.record()
+            self._live.places()
         for thing in [self.status, *leaves(self._stage.artists)]:
             assert_finite(thing)
