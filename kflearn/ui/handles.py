@@ -194,9 +194,8 @@ def drag_bell(mean, sigma, *, variance=False, height=None, axes=0, when=lambda: 
     Examples
     --------
     >>> from kflearn.ui import drag_bell
-    >>> top, flank = drag_bell("mean", "sigma", height=1)
-    >>> top.place(dict(mean=3, sigma=2)), flank.place(dict(mean=3, sigma=2))
-    ((3, 1), (5, 0.6065306597126334))
+    >>> [handle.place(dict(mean=3, sigma=2))[0] for handle in drag_bell("mean", "sigma")]
+    [3, 5]
     """
 
     def middle(values):
