@@ -127,11 +127,12 @@ class Playground:
                 part.suptitle(title, fontsize=10)
             for ax in part.axes:  # one legend for all of them
                 if ax.get_legend():
-                    handles, labels = ax.get_legend_handles_labels()
-                    entries |= dict(zip(labels, handles, strict=True))
+                    named = zip(*ax.get_legend_handles_labels(), strict=True)
+                    entries |= {(label, type(drawn)): drawn for drawn, label in named}
                     ax.get_legend().remove()
         if entries:
-            bottom.legend(entries.values(), entries.keys(), loc="center", ncols=6, frameon=False)
+            names = [label for label, _ in entries]  # a line and an area may have one name
+            bottom.legend(entries.values(), names, loc="center", ncols=8, frameon=False)
         plots.show(fig, alt or re.sub(r"[$\\]", "", ". ".join(words)))
 
     # -- the controls
