@@ -132,7 +132,8 @@ class Playground:
                     ax.get_legend().remove()
         if entries:
             names = [label for label, _ in entries]  # a line and an area may have one name
-            bottom.legend(entries.values(), names, loc="center", ncols=8, frameon=False)
+            tight = dict(columnspacing=0.9, handlelength=1.8) if len(names) > 7 else {}
+            bottom.legend(entries.values(), names, loc="center", ncols=8, frameon=False, **tight)
         plots.show(fig, alt or re.sub(r"[$\\]", "", ". ".join(words)))
 
     # -- the controls
