@@ -104,14 +104,17 @@ class Live:
                 continue
         return found
 
+    def places(self):
+        """Where the handles are now, for the browser."""
+        return [handle.spec(self.stage.fig, self.values(), self.stage.ratio) for handle in self.handles]
+
     def send(self, status, picture, view="", n=0):
         """The values of now, the sentence and, unless it is None, the picture."""
         if not self.watched:
             return
         about, buffers = picture or ({}, [])
-        places = [handle.spec(self.stage.fig, self.values(), self.stage.ratio) for handle in self.handles]
         about |= dict(kind="picture", view=view, n=n, epoch=self._epoch, values=self.values(), status=status)
-        self.view.send(about | dict(ratio=self.stage.ratio, handles=places), buffers)
+        self.view.send(about | dict(ratio=self.stage.ratio, handles=self.places()), buffers)
 
 
 def told(error, function):

@@ -156,7 +156,7 @@ function toggle(control, moved) {
 // ---- handles: what one can take hold of in the picture
 
 function handle(i, move, nudge) {
-  const made = element("button", { class: "kf-handle", type: "button" });
+  const made = element("button", { class: "kf-handle", type: "button", hidden: true });
   let from = null;
   const scale = () => made.parentElement.querySelector("canvas").width / made.parentElement.clientWidth;
   made.addEventListener("pointerdown", (event) => {
@@ -183,13 +183,15 @@ function together(nudge, another) {
   return [nudge[0], nudge[1] + another[1], nudge[2] + another[2]];
 }
 
-function put(made, { at, area, along, words }, picture) {
+function put(made, { hidden, at, area, along, line, words }, picture) {
+  made.hidden = Boolean(hidden);
+  if (hidden) return;
   made.at = at;
+  made.className = `kf-handle kf-along-${along}${line ? " kf-line" : ""}`;
   const [x, y, width, height] = area;
   const [across, down] = [(part) => `${(100 * part) / picture.width}%`, (part) => `${(100 * part) / picture.height}%`];
   Object.assign(made.style, { left: across(x + width / 2), top: down(y + height / 2) }); // its middle
   Object.assign(made.style, { width: across(width), height: down(height) });
-  made.style.cursor = { x: "ew-resize", y: "ns-resize" }[along] || "move";
   if (made.getAttribute("aria-label") !== words) made.setAttribute("aria-label", words);
 }
 
@@ -258,11 +260,15 @@ export function render({ model, el }) {
     handle(i, (i, at) => ask({ drag: [i, ...at] }, names), (i, by) => ask({ nudge: [i, ...by] }, names)),
   );
   frame.append(...handles);
-  const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element), reset);
-  const whole = element("div", { class: "kf-playground", style: `max-width: ${wide}px` }, row, sentence, spoken, frame);
+  const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element));
+  const under = element("div", { class: "kf-under" }, sentence, reset);
+  const style = `max-width: ${wide}px`;
+  const whole = element("div", { class: "kf-playground", style }, row, under, spoken, frame);
   // Else Notebook 7 takes the arrow keys for itself, and JupyterLab those that come up to it.
   for (const made of whole.querySelectorAll("input, button")) made.setAttribute("data-lm-suppress-shortcuts", "true");
-  for (const kind of ["keydown", "keyup"]) row.addEventListener(kind, (event) => event.stopPropagation());
+  for (const part of [row, under]) {
+    for (const kind of ["keydown", "keyup"]) part.addEventListener(kind, (event) => event.stopPropagation());
+  }
   frame.addEventListener("keydown", (event) => event.stopPropagation());
   frame.style.aspectRatio = `${wide} / ${high}`;
   el.replaceChildren(whole);

@@ -43,7 +43,7 @@ class Playground:
     size : (float, float)
         Width and height of the picture in inches, at 100 dots per inch.
     handles : sequence of Handle
-        What one can take hold of in the picture, made by `drag`.
+        What one can take hold of in the picture, made by `drag` and `drag_bell`.
     **controls : log_slider, slider, choice or toggle
         One for each name that `update` takes.
 
@@ -128,11 +128,13 @@ class Playground:
                 part.suptitle(title, fontsize=10)
             for ax in part.axes:  # one legend for all of them
                 if ax.get_legend():
-                    handles, labels = ax.get_legend_handles_labels()
-                    entries |= dict(zip(labels, handles, strict=True))
+                    named = zip(*ax.get_legend_handles_labels(), strict=True)
+                    entries |= {(label, type(drawn)): drawn for drawn, label in named}
                     ax.get_legend().remove()
         if entries:
-            bottom.legend(entries.values(), entries.keys(), loc="center", ncols=6, frameon=False)
+            names = [label for label, _ in entries]  # a line and an area may have one name
+            tight = dict(columnspacing=0.9, handlelength=1.8) if len(names) > 7 else {}
+            bottom.legend(entries.values(), names, loc="center", ncols=8, frameon=False, **tight)
         plots.show(fig, alt or re.sub(r"[$\\]", "", ". ".join(words)))
 
     # -- the controls
@@ -227,5 +229,6 @@ class Playground:
             warnings.simplefilter("error")
             self.status = self._update()
             self._stage.record()
+            self._live.places()
         for thing in [self.status, *leaves(self._stage.artists)]:
             assert_finite(thing)
