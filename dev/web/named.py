@@ -39,7 +39,7 @@ def takes(slider, value) -> bool:
 
 def called(cells, name):
     """The keywords with numbers, such as dict(Q=0.01), in a playground's galleries and in the variables named there."""
-    trees = [ast.parse(cell.source) for cell in cells if cell.cell_type == "code" and "dict(" in cell.source]
+    trees = [ast.parse(cell.source) for cell in cells if cell.cell_type == "code"]
     nodes = [node for tree in trees for node in ast.walk(tree)]
     galleries = [node for node in nodes if isinstance(node, ast.Call) and ast.unparse(node.func) == f"{name}.gallery"]
     named = {node.id for call in galleries for node in ast.walk(call) if isinstance(node, ast.Name)} - {"dict"}
