@@ -90,7 +90,7 @@ def figure(folder, name):
     style = f"max-width: {width}px; --wide: {width}px"
     return f"""<figure class="playground" data-recorded="{place}/recorded.js" style="{style}">
 <div><p class="kf-sentence">{html.escape(page["status"])}</p>
-<img src="{place}/start.webp" width="{width}" height="{height}" loading="lazy" alt="{alt}"></div>{note}
+<img src="{place}/start.webp" width="{width}" height="{height}" alt="{alt}"></div>{note}
 <script type="application/json">{script}</script>
 </figure>"""
 

@@ -96,7 +96,7 @@ def test_too_many_bytes_make_fewer_settings(tmp_path, monkeypatch):
 
 # ---- settings that a lesson names
 
-TEXT = """Try three things. R to 100 and Q = R = 4, then the gate up to 3,000: see (9). A turn of 180° with an instrument
+TEXT = """Try three things. R to 100 and Q = R = 4, then the gate up to 3,000: see (9). A turn of 180° with a noise
 of 3°. Back to 0.25 (lesson 5), σ_a up to 1.5·10² m. [lesson 8](08-x.ipynb) has frames 18 to 21."""
 CONTROLS = dict(
     Q=log_slider(0.1, 10, 1),
