@@ -46,25 +46,26 @@ def is_playground(output):
     return "image/png" in output.get("data", {}) and output.data["text/plain"].startswith("Playground:")
 
 
-def film(path, notebook):
+def recorded(path, notebook):
     """The folder with a folder for each playground. Executes the lesson at path, unless nothing has changed."""
-    name, shown = path.stem, [sum(map(is_playground, cell.get("outputs", []))) for cell in notebook.cells]
+    stem, shown = path.stem, [sum(map(is_playground, cell.get("outputs", []))) for cell in notebook.cells]
     last = max((i for i, count in enumerate(shown) if count), default=-1)
     sources = [cell.source for cell in notebook.cells[: last + 1] if cell.cell_type == "code"]
-    texts = [cell.source for cell in notebook.cells if cell.cell_type == "markdown"]  # they name settings
+    made = re.findall(r"(?m)^(\w+) = Playground\(", "\n".join(sources))
+    texts = [text for name in made for text in named.text_beside(notebook.cells, name)]
     files = [*(Path(module.__file__) for module in (frames, named, packed)), *sorted(PACKAGE.rglob("*.py"))]
     parts = [*(file.read_bytes() for file in (*files, *PACKAGE.rglob("*.mplstyle"))), "".join(sources + texts).encode()]
-    folder = FRAMES / f"{name}-{sha256(b''.join(parts)).hexdigest()[:12]}"
+    folder = FRAMES / f"{stem}-{sha256(b''.join(parts)).hexdigest()[:12]}"
     if sources and not folder.exists():
         FRAMES.mkdir(parents=True, exist_ok=True)
-        for old in FRAMES.glob(f"{name}-*"):
+        for old in FRAMES.glob(f"{stem}-*"):
             shutil.rmtree(old)
         with tempfile.TemporaryDirectory(dir=FRAMES) as draft:
-            new = Path(draft, name)
+            new = Path(draft, stem)
             execute(sources, f"frames.watch({str(new)!r}, {str(path)!r})")
-            assert len(list(new.glob("*/page.json"))) == sum(shown), f"playgrounds of {name} could not be recorded"
+            assert len(list(new.glob("*/page.json"))) == sum(shown), f"playgrounds of {stem} could not be recorded"
             new.rename(folder)
-        print("playgrounds of", name, flush=True)
+        print("playgrounds of", stem, flush=True)
     return folder
 
 
@@ -167,7 +168,7 @@ def prepare(lessons, folder):
     """Write everything Sphinx needs into a folder."""
     notebooks = [nbformat.read(path, as_version=4) for path in lessons]
     with ThreadPoolExecutor(2) as pool:
-        filmed = list(pool.map(film, lessons, notebooks))
+        folders = list(pool.map(recorded, lessons, notebooks))
     shutil.copytree(PAGES, folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(NOTEBOOKS / "pictures", folder / "pictures")
     maths_font(folder / "static" / "maths.woff")
@@ -177,7 +178,7 @@ def prepare(lessons, folder):
     texts |= {"class-server.md": ROOT / "class" / "README.md", "changelog.md": ROOT / "CHANGELOG.md"}
     pages, alts = [*(path.name for path in lessons), *texts], {}
     facts = leads(lessons, pages, folder)
-    for path, notebook, pictures in zip(lessons, notebooks, filmed, strict=True):
+    for path, notebook, pictures in zip(lessons, notebooks, folders, strict=True):
         alts |= page(notebook, about.note(path.name, facts["zip"]), pictures, pages)
         nbformat.write(notebook, folder / path.name)
         for file in (*pictures.glob("*/*.webp"), *pictures.glob("*/*.js")):
@@ -191,7 +192,7 @@ def prepare(lessons, folder):
     readme = readme.replace("](class/README.md)", "](class-server.md)").replace("](CHANGELOG.md)", "](changelog.md)")
     (folder / "README.md").write_text(relink(about.without(about.FOLDER, readme), pages), encoding="utf-8")
     (folder / "alts.json").write_text(json.dumps(alts), encoding="utf-8")
-    index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(filmed))
+    index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(folders))
     index = index.replace("WHERE", about.where(facts))
     toctree = "\n".join(["", "```{toctree}", ":hidden:", *pages, "```", ""])
     (folder / "index.md").write_text(index + toctree, encoding="utf-8")

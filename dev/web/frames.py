@@ -16,6 +16,7 @@ from pathlib import Path
 
 import nbformat
 import numpy as np
+from IPython import get_ipython
 from PIL import Image
 
 from dev.web import named
@@ -24,7 +25,7 @@ from kflearn.ui import Playground
 from kflearn.ui.controls import Slider
 
 BYTES = 1_000_000  # of recorded.js, at most
-MOST = 1500  # settings of a playground, about
+MOST = 2000  # settings of a playground, about
 FINEST, COARSEST = 41, 6  # places of a slider; with fewer than the latter, not all sliders move together
 RATIO = 2.0  # pixels of the picture for each pixel of the page
 
@@ -34,7 +35,7 @@ def watch(folder, lesson):
     numbers, cells = itertools.count(), nbformat.read(lesson, as_version=4).cells
 
     def show(playground, **kwargs):
-        names = [name for name, thing in get_ipython().user_ns.items() if thing is playground]  # noqa: F821
+        names = [name for name, thing in get_ipython().user_ns.items() if thing is playground]
         wanted = named.settings(playground, cells, next(name for name in names if name[0] != "_"))
         record(playground, Path(folder, str(next(numbers))), wanted)
         return {"text/plain": str(playground)}
@@ -50,7 +51,7 @@ def record(playground, folder, wanted=None):
     count, stage = MOST, playground._stage
     stage.show_at(RATIO)
     while True:
-        page, script = film(playground, count, wanted or {})
+        page, script = recording(playground, count, wanted or {})
         if len(script) < BYTES:
             break
         count = int(0.9 * count * BYTES / len(script))
@@ -64,7 +65,7 @@ def record(playground, folder, wanted=None):
     stage.show_at(1.0)
 
 
-def film(playground, count, wanted):
+def recording(playground, count, wanted):
     """What the page needs at once, and the script with all pictures for about so many settings."""
     values, together = places(playground.controls, count, wanted)
     controls, stage, packer, numbers = list(playground.controls.values()), playground._stage, Packer(), {}
@@ -73,17 +74,22 @@ def film(playground, count, wanted):
         now = [stops[place] for stops, place in zip(values, setting, strict=True)]
         now = dict(zip(playground.controls, now, strict=True))
         status = str(playground.update(stage.artists, **now) or "")
-        handles = [handle.spec(stage.fig, now, RATIO) for handle in playground._live.handles]
-        areas = [np.reshape([*handle["at"], *handle["area"]], (3, 2)) for handle in handles]
-        words = [status, *(handle["words"] for handle in handles)]
-        numbers[setting] = packer.add(stage.record(), words, areas, beside(setting, numbers))
+        areas, handles = grips(playground, now)
+        numbers[setting] = packer.add(stage.record(), [status, *handles], areas, beside(setting, numbers))
     about, still = stage.still()
-    about |= dict(settings=list(numbers), along=[handle["along"] for handle in handles])
+    about |= dict(settings=list(numbers))
     files = [webp(Image.open(io.BytesIO(still))), packer.packed(about), *map(webp_of, packer.images)]
     spec = playground.widget.spec
     spec = spec | {"controls": [c | {"places": v} for c, v in zip(spec["controls"], values, strict=True)]}
     page = dict(spec=spec, start=start, together=together, status=status_of(playground), settings=len(numbers))
     return page, f"recorded({json.dumps([b64encode(file).decode() for file in files])});"
+
+
+def grips(playground, values):
+    """The handles: place and area of each as three points, zeros where it is hidden; and what else there is to say."""
+    handles = [handle.spec(playground._stage.fig, values, RATIO) for handle in playground._live.handles]
+    areas = [np.reshape([*handle.pop("at", [0, 0]), *handle.pop("area", [0, 0, 0, 0])], (3, 2)) for handle in handles]
+    return areas, handles
 
 
 def status_of(playground):
@@ -145,7 +151,7 @@ def webp(picture):
     if isinstance(picture, np.ndarray):
         picture = Image.fromarray(picture)
     file = io.BytesIO()
-    picture.convert("RGB").save(file, "webp", lossless=True, method=4, quality=80)
+    picture.convert("RGB").save(file, "webp", lossless=True, method=6, quality=100)
     return file.getvalue()
 
 

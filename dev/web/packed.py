@@ -35,7 +35,7 @@ class Packer:
         self._blocks, self._table, self._known, self._rows = [], [], {}, []
 
     def add(self, picture, words, areas, beside) -> int:
-        """Keep a picture as `Stage.record` returns it, its words, the areas of its handles; its number.
+        """Keep a picture as `Stage.record` returns it, its words, the areas of its handles; returns its number.
 
         beside : numbers of pictures that may look much alike
         """

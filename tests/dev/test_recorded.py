@@ -40,14 +40,14 @@ def make(size=(2, 1), handles=(), **controls):
 # ---- which settings
 
 
-def film(count, *names, **controls):
+def recording(count, *names, **controls):
     """What the page is told about a playground, and the recorded settings."""
-    page, script = frames.film(make(**controls), count, dict(names))
+    page, script = frames.recording(make(**controls), count, dict(names))
     return page, page["spec"]["controls"], script
 
 
 def test_two_sliders_move_together():
-    page, (a, b), _ = film(121, a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1))
+    page, (a, b), _ = recording(121, a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1))
     assert page["together"] and page["settings"] == 121 == len(a["places"]) * len(b["places"])
     assert a["places"][page["start"][0]] == 0.3 and b["places"][page["start"][1]] == 1
     assert page["status"] == "{'a': 0.3, 'b': 1.0}"
@@ -55,7 +55,7 @@ def test_two_sliders_move_together():
 
 def test_many_sliders_move_two_at_a_time_and_buttons_with_each():
     controls = dict(a=slider(0, 9, 2), b=slider(0, 5, 5), c=slider(0.0, 1.0, 0.5), d=choice(["x", "yy"]))
-    page, told, _ = film(60, **controls)
+    page, told, _ = recording(60, **controls)
     assert not page["together"]
     start, stops = page["start"], [control["places"] for control in told]
     found = frames.settings(stops, start, [0, 1, 2], 2)
@@ -86,7 +86,7 @@ def test_wanted_values_take_the_place_of_others():
 def test_too_many_bytes_make_fewer_settings(tmp_path, monkeypatch):
     playground = make(a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1))
     monkeypatch.setattr(frames, "MOST", 400)
-    _, script = frames.film(playground, 400, {})
+    _, script = frames.recording(playground, 400, {})
     monkeypatch.setattr(frames, "BYTES", len(script) * 2 // 3)
     frames.record(playground, tmp_path / "0")
     assert (tmp_path / "0" / "recorded.js").stat().st_size < frames.BYTES
@@ -96,7 +96,7 @@ def test_too_many_bytes_make_fewer_settings(tmp_path, monkeypatch):
 
 # ---- settings that a lesson names
 
-TEXT = """Try three things. R to 100 and Q = R = 4, then the gate up to 3,000: see (9). A turn of 180° with a noise
+TEXT = """Try three things. R to 100 and Q = R = 4, then the gate up to 3,000: see (9). A turn of 180° with a gauge
 of 3°. Back to 0.25 (lesson 5), σ_a up to 1.5·10² m. [lesson 8](08-x.ipynb) has frames 18 to 21."""
 CONTROLS = dict(
     Q=log_slider(0.1, 10, 1),

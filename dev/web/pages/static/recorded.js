@@ -74,11 +74,16 @@ class Recording {
     return this.numbers.has(setting.join());
   }
 
+  row(setting) {
+    return this.rows[this.numbers.get(setting.join())];
+  }
+
   // A picture as playground.js takes it: a message, and its points and images.
   picture(setting) {
     const { about, images } = this;
-    const [words, ...parts] = this.rows[this.numbers.get(setting.join())];
-    const drawn = parts.slice(0, parts.length - about.along.length);
+    const [words, ...parts] = this.row(setting);
+    const [status, ...told] = about.words[words];
+    const drawn = parts.slice(0, parts.length - told.length);
     const points = new Float32Array(2 * drawn.reduce((sum, part) => sum + this.kinds[part][0], 0));
     const [ops, used] = [[], []];
     let first = 0;
@@ -90,17 +95,17 @@ class Recording {
       ops.push([kind, ...moved]);
       first += count;
     }
-    const [status, ...called] = about.words[words];
-    const handles = about.along.map((along, i) => ({ ...this.handle(setting, i), along, words: called[i] }));
+    const handles = told.map((about, i) => ({ ...about, ...this.handle(setting, i) }));
     return [{ status, handles, ops, styles: about.styles }, [points, ...used]];
   }
 
   // Where a handle is, and its area: kept as three points.
   handle(setting, i) {
-    const row = this.rows[this.numbers.get(setting.join())];
-    const block = this.blocks[row[row.length - this.about.along.length + i]];
+    const row = this.row(setting);
+    const told = this.about.words[row[0]].slice(1);
+    const block = this.blocks[row[row.length - told.length + i]];
     const [x, left, width, y, top, height] = Array.from(block, (value) => value / this.about.fineness);
-    return { at: [x, y], area: [left, top, width, height] };
+    return { at: [x, y], area: [left, top, width, height], hidden: told[i].hidden };
   }
 }
 
@@ -218,8 +223,8 @@ class Model {
   closest(settings, handle, [x, y], otherwise) {
     let [best, least] = [otherwise, Infinity];
     for (const setting of settings) {
-      const { at } = this.recording.handle(setting, handle);
-      const distance = Math.hypot(at[0] - x, at[1] - y);
+      const { at, hidden } = this.recording.handle(setting, handle);
+      const distance = hidden ? Infinity : Math.hypot(at[0] - x, at[1] - y);
       if (distance < least) [best, least] = [setting, distance];
     }
     return best;
