@@ -96,9 +96,20 @@ def figure(folder, name):
 </figure>"""
 
 
+def playgrounds(folders, static):
+    """Put what playgrounds load among the files of the page: recordings, script and style."""
+    for folder in folders:
+        for file in (*folder.glob("*/*.webp"), *folder.glob("*/*.js")):
+            copy = static / "recorded" / file.relative_to(FRAMES)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(file, copy)
+    (static / "recorded.js").write_text(live_script(), encoding="utf-8")
+    shutil.copy(PACKAGE / "ui" / "playground.css", static)
+
+
 def live_script():
-    """The playground's own script and the one that answers it, as one that a page from a disk may load."""
-    parts = [(PACKAGE / "ui" / "playground.js"), PAGES / "static" / "recorded.js"]
+    """The playground's own script and the one that answers it, in one that a page opened from a disk may load too."""
+    parts = PACKAGE / "ui" / "playground.js", PAGES / "static" / "recorded.js"
     text = "\n".join(path.read_text(encoding="utf-8") for path in parts)
     return '"use strict";\n(() => {\n' + re.sub(r"(?m)^export (default .*;|)", "", text) + "})();\n"
 
@@ -172,8 +183,7 @@ def prepare(lessons, folder):
     shutil.copytree(PAGES, folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(NOTEBOOKS / "pictures", folder / "pictures")
     maths_font(folder / "static" / "maths.woff")
-    (folder / "static" / "recorded.js").write_text(live_script(), encoding="utf-8")
-    shutil.copy(PACKAGE / "ui" / "playground.css", folder / "static")
+    playgrounds(folders, folder / "static")
     texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))}
     texts |= {"class-server.md": ROOT / "class" / "README.md", "changelog.md": ROOT / "CHANGELOG.md"}
     pages, alts = [*(path.name for path in lessons), *texts], {}
@@ -181,10 +191,6 @@ def prepare(lessons, folder):
     for path, notebook, pictures in zip(lessons, notebooks, folders, strict=True):
         alts |= page(notebook, about.note(path.name, facts["zip"]), pictures, pages)
         nbformat.write(notebook, folder / path.name)
-        for file in (*pictures.glob("*/*.webp"), *pictures.glob("*/*.js")):
-            copy = folder / "static" / "recorded" / file.relative_to(FRAMES)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(file, copy)
     for name, path in texts.items():
         text = path.read_text(encoding="utf-8").replace("](../notebooks/", "](")
         (folder / name).write_text(relink(text, pages), encoding="utf-8")

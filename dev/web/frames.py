@@ -56,12 +56,14 @@ def record(playground, folder, wanted=None):
             break
         count = int(0.9 * count * BYTES / len(script))
         if count < 20:
-            raise ValueError(f"{playground}: even {len(page['settings'])} settings are larger than {BYTES} bytes")
-    playground.update(stage.artists, **playground.values)
+            raise ValueError(f"{playground}: even {page['settings']} settings are larger than {BYTES} bytes")
+    start = {name: control.start for name, control in playground.controls.items()}
+    page["status"] = str(playground.update(stage.artists, **start) or "")
     folder.mkdir(parents=True)
     (folder / "recorded.js").write_text(script, encoding="ascii")
     (folder / "page.json").write_text(json.dumps(page, ensure_ascii=False), encoding="utf-8")
     (folder / "start.webp").write_bytes(webp(stage.pixels()[..., :3]))
+    playground.update(stage.artists, **playground.values)
     stage.show_at(1.0)
 
 
@@ -81,7 +83,7 @@ def recording(playground, count, wanted):
     files = [webp(Image.open(io.BytesIO(still))), packer.packed(about), *map(webp_of, packer.images)]
     spec = playground.widget.spec
     spec = spec | {"controls": [c | {"places": v} for c, v in zip(spec["controls"], values, strict=True)]}
-    page = dict(spec=spec, start=start, together=together, status=status_of(playground), settings=len(numbers))
+    page = dict(spec=spec, start=start, together=together, settings=len(numbers))
     return page, f"recorded({json.dumps([b64encode(file).decode() for file in files])});"
 
 
@@ -90,12 +92,6 @@ def grips(playground, values):
     handles = [handle.spec(playground._stage.fig, values, RATIO) for handle in playground._live.handles]
     areas = [np.reshape([*handle.pop("at", [0, 0]), *handle.pop("area", [0, 0, 0, 0])], (3, 2)) for handle in handles]
     return areas, handles
-
-
-def status_of(playground):
-    """The sentence at the start; the picture is that of the start, too."""
-    start = {name: control.start for name, control in playground.controls.items()}
-    return str(playground.update(playground._stage.artists, **start) or "")
 
 
 def beside(setting, numbers):
