@@ -74,6 +74,12 @@ def test_playgrounds_are_small(site):
         assert path.with_name("start.webp").stat().st_size <= 100_000
 
 
+def test_recordings_are_where_the_pages_look_for_them(site):
+    for name in ("index.html", *LESSONS):
+        places = re.findall(r'data-recorded="(.*?)"', (site / name).read_text(encoding="utf-8"))
+        assert places and all((site / place).is_file() for place in places), name
+
+
 def test_a_page_without_playground_loads_nothing_for_one(pages):
     parts = {part.split("?")[0] for part in pages["appendix-glossary.html"].parts}
     assert "_static/large.js" in parts and not parts & {"_static/recorded.js", "_static/playground.css"}
@@ -127,14 +133,13 @@ def at_both_ends(figure, slider):
 def test_a_slider_moves_the_picture(tab):
     figure = live(tab(VOLTMETER))
     first, slider = figure.evaluate(SEEN), figure.get_by_role("slider").first
-    shown = figure.locator(".kf-box").first.input_value()
+    box = figure.locator(".kf-box").first
+    shown = box.input_value()
     second = change(figure, slider.press, "ArrowRight")
     assert all(before != after for before, after in zip(first, second, strict=True))
-    assert (
-        f"{figure.locator('.kf-box').first.input_value()} V²" == slider.get_attribute("aria-valuetext") != f"{shown} V²"
-    )
-    box = figure.get_by_role("slider").nth(1).bounding_box()
-    place = {"x": 0.9 * box["width"], "y": box["height"] / 2}
+    assert f"{box.input_value()} V²" == slider.get_attribute("aria-valuetext") != f"{shown} V²"
+    size = figure.get_by_role("slider").nth(1).bounding_box()
+    place = {"x": 0.9 * size["width"], "y": size["height"] / 2}
     third = change(figure, figure.get_by_role("slider").nth(1).click, position=place)
     assert third[0] != second[0] and third[1] != second[1]
     assert change(figure, figure.get_by_role("button", name="Reset").click) == first
