@@ -25,7 +25,7 @@ from kflearn.ui import Playground
 from kflearn.ui.controls import Slider
 
 BYTES = 1_000_000  # of recorded.js, at most
-MOST = 2000  # settings of a playground, about
+MOST = 1500  # settings of a playground, about
 FINEST, COARSEST = 41, 6  # places of a slider; with fewer than the latter, not all sliders move together
 RATIO = 2.0  # pixels of the picture for each pixel of the page
 
@@ -147,7 +147,7 @@ def webp(picture):
     if isinstance(picture, np.ndarray):
         picture = Image.fromarray(picture)
     file = io.BytesIO()
-    picture.convert("RGB").save(file, "webp", lossless=True, method=6, quality=100)
+    picture.convert("RGB").save(file, "webp", lossless=True, method=4, quality=80)
     return file.getvalue()
 
 
