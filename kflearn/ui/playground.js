@@ -98,10 +98,19 @@ function number(value) {
   return size >= 1e6 || size < 1e-4 ? Number(value.toPrecision(6)).toExponential().replace("e+", "e") : String(value);
 }
 
+function nearest({ places, log }, value) {
+  if (places.includes(value)) return places.indexOf(value);
+  const scale = log ? Math.log : Number;
+  const gaps = places.map((place) => Math.abs(scale(place) - scale(value)));
+  return gaps.indexOf(Math.min(...gaps));
+}
+
 function slider(control, moved) {
-  const { low, high, step, log, whole, unit } = control;
-  const place = (value) => (log ? Math.log10(value) : value);
+  const { low, high, log, whole, unit, places } = control; // places: the only values that there are, on the web page
+  const step = places ? 1 : control.step;
+  const place = (value) => (places ? nearest(control, value) : log ? Math.log10(value) : value);
   const value = (place) => {
+    if (places) return places[place];
     const found = log ? Number((10 ** place).toPrecision(3)) : whole ? Math.round(place) : Number(place.toFixed(10));
     return Math.min(Math.max(found, low), high);
   };
@@ -243,8 +252,8 @@ export function render({ model, el }) {
     clearTimeout(state.lost);
     if (!state.waiting && state.stage) return;
     const [busy, lost] = spec.patience || PATIENCE;
-    state.busy = setTimeout(() => say(BUSY), 1000 * busy);
-    state.lost = setTimeout(() => say(LOST), 1000 * lost);
+    state.busy = setTimeout(() => say(spec.busy ?? BUSY), 1000 * busy);
+    state.lost = setTimeout(() => say(spec.lost ?? LOST), 1000 * lost);
   }
 
   const controls = Object.fromEntries(
@@ -284,7 +293,7 @@ export function render({ model, el }) {
   // -- answers: { kind: "stage", ratio, width, height, legends } and its picture; { kind: "picture", … } and its points
 
   async function bitmap(bytes) {
-    return createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    return bytes instanceof ImageBitmap ? bytes : createImageBitmap(new Blob([bytes], { type: "image/png" }));
   }
   async function take(message, buffers) {
     if (message.kind === "stage") {
