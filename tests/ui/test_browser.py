@@ -35,7 +35,7 @@ def update(artists, Q, R):
         raise ValueError("no such Q")
     return f"Q = {Q:g}, R = {R:g}"
 def make():
-    handle = drag(y=(lambda Q, R: R**0.2 / 5, lambda y, **values: {"R": max(5 * y, 0)**5}, "R"), label="the band")
+    handle = drag(y=("R", lambda R: R**0.2 / 5, lambda y: max(5 * y, 0)**5), label="the band")
     sliders = dict(Q=log_slider(1e-3, 1e3, 1), R=log_slider(1e-3, 1e3, 1))
     return Playground(draw, update, size=(6, 3), handles=[handle], **sliders)
 live = make()

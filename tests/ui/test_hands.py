@@ -11,7 +11,7 @@ pytestmark = pytest.mark.browser
 
 HANDLES = (
     drag(y="R", label="the level"),
-    drag(x=(lambda Q, R: Q, lambda at, **values: {"Q": at}, "Q"), y="R", label="the point"),
+    drag(x="Q", y="R", label="the point"),
 )
 
 
@@ -166,7 +166,7 @@ def test_the_picture_follows_the_sliders_and_the_keys(alone):
     alone.page.keyboard.press("Shift+ArrowRight")
     alone.carry()
     assert alone.numbers()[0] > q + 5
-    assert alone.page.evaluate("document.activeElement.className") == "kf-handle"
+    assert alone.page.evaluate("document.activeElement.className").startswith("kf-handle")
     assert alone.is_right()
 
 
