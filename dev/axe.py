@@ -23,7 +23,7 @@ def source() -> str | None:
     npm = shutil.which("npm")
     if not KEPT.exists() and npm:
         with tempfile.TemporaryDirectory() as folder:
-            command = [npm, "pack", "--silent", f"axe-core@{VERSION}"]
+            command = [npm, "pack", "--silent", "--fetch-retries=0", "--fetch-timeout=20000", f"axe-core@{VERSION}"]
             if subprocess.run(command, cwd=folder, capture_output=True, timeout=60).returncode == 0:
                 keep(Path(folder, f"axe-core-{VERSION}.tgz").read_bytes())
     return KEPT.read_text(encoding="utf-8") if KEPT.exists() else None

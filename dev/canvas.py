@@ -142,8 +142,8 @@ def main(number, target=None):
 
     (path,) = (path for path in course.lessons() if path.name[:2] == number)
     with tempfile.TemporaryDirectory() as folder:
-        begin = "from dev import canvas\nfrom dev.hard.grid import shown"
-        inside(path, begin, f"canvas.keep_all(shown(globals()), {folder!r})")
+        begin = "from dev import canvas as _canvas\nfrom dev.hard import grid as _grid"
+        inside(path, begin, f"_canvas.keep_all(_grid.shown(globals()), {folder!r})")
         with browser() as chromium:
             blank = page(chromium)
             for words, differ in shares(blank, folder):
