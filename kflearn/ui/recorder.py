@@ -11,7 +11,7 @@ from matplotlib.transforms import Affine2D
 
 
 class Unrecordable(Exception):
-    """An artist draws something that a `Recorder` cannot keep, such as a hatch."""
+    """An artist draws something that a `Recorder` cannot keep, such as a sketched line."""
 
 
 class Recorder(RendererBase):
@@ -74,6 +74,8 @@ class Recorder(RendererBase):
 
     def draw_path(self, gc, path, transform, rgbFace=None):
         _refuse(gc)
+        if gc.get_hatch():
+            return self._draw_hatched(gc, path, transform, rgbFace)
         style = self._style(gc, rgbFace)
         if style is None:
             return
@@ -111,6 +113,39 @@ class Recorder(RendererBase):
 
     def start_filter(self):
         raise Unrecordable("a filter for pixels")
+
+    def _draw_hatched(self, gc, path, transform, face):
+        """Fill, hatch and outline. The hatch stands in tiles from the figure's upper left corner, cut to the path."""
+        plain, lines = self._like(gc), self._like(gc)
+        plain.set_linewidth(0)
+        self.draw_path(plain, path, transform, face)
+        lines.set_linewidth(gc.get_hatch_linewidth())
+        lines.set_dashes(0, None)
+        lines.set_capstyle("butt")
+        lines.set_foreground(gc.get_hatch_color(), isRGBA=True)
+        style = self._style(lines, gc.get_hatch_color())
+        tiles = self._put_tiles(gc)
+        shape = transform.transform_path(path)
+        if (box := gc.get_clip_rectangle()) is not None:
+            shape = shape.clip_to_bbox(box)
+        self.ops.append(["p", tiles, style, self._clean(shape, self.flip, plain, None)])
+        self.draw_path(self._like(gc), path, transform)
+
+    def _like(self, gc):
+        """The same graphics context without its hatch."""
+        copy = self.new_gc()
+        copy.copy_properties(gc)
+        copy.set_hatch(None)
+        return copy
+
+    def _put_tiles(self, gc):
+        """Keep a hatch all over the clipped part of the figure; returns its place."""
+        size, pattern = int(self.dpi), gc.get_hatch_path()
+        left, top, width, height = self._sides(gc.get_clip_rectangle())
+        x, y = np.arange(left // size, (left + width) / size), np.arange(top // size, (top + height) / size)
+        corners = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 1, 2)
+        points = size * (corners + pattern.vertices * [1, -1] + [0, 1])
+        return [*self._put(points.reshape(-1, 2)), _digits(pattern.codes.astype(np.uint8).tobytes() * len(corners))]
 
     # -- how it is kept
 
@@ -156,15 +191,16 @@ class Recorder(RendererBase):
         if path is not None:
             return self._clean(path, transform + self.flip, GraphicsContextBase(), None)
         rectangle = gc.get_clip_rectangle()
-        if rectangle is None:
-            return 0
-        left, low, right, high = (int(np.floor(side + 0.5)) for side in rectangle.extents)
+        return 0 if rectangle is None else self._sides(rectangle)
+
+    def _sides(self, rectangle):
+        """A rectangle in whole pixels from the top; the whole figure for None."""
+        sides = (0, 0, self.width, self.height) if rectangle is None else rectangle.extents
+        left, low, right, high = (int(np.floor(side + 0.5)) for side in sides)
         return [left, int(self.height) - high, right - left, high - low]
 
 
 def _refuse(gc):
-    if gc.get_hatch():
-        raise Unrecordable("a hatch")
     if gc.get_sketch_params():
         raise Unrecordable("a sketched line")
 

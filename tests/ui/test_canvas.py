@@ -113,7 +113,12 @@ def shapes(ax):
 
 
 def hatched(ax):
-    return ax.add_patch(patches.Rectangle((2, -1), 5, 2, hatch="//", facecolor="w"))
+    kinds = [
+        patches.Rectangle((2, -1), 3, 2, hatch="//", facecolor="w"),
+        patches.Ellipse((9, 0), 4, 3, angle=20, hatch="o.", facecolor="C1", edgecolor="b"),
+        patches.Rectangle((0.2, -1.9), 1.5, 3, hatch="xx", facecolor="none", linewidth=0, edgecolor="g"),
+    ]
+    return [ax.add_patch(kind) for kind in kinds]
 
 
 def sketched(ax):
@@ -122,8 +127,8 @@ def sketched(ax):
     return [line, ax.text(2, 1, "above it")]
 
 
-RECORDED = lines, markers, clipped, images, words, collections, contours, mesh, shapes
-FALLBACK = hatched, sketched
+RECORDED = lines, markers, clipped, images, words, collections, contours, mesh, shapes, hatched
+FALLBACK = (sketched,)
 
 
 @pytest.fixture(scope="module")
