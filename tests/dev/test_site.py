@@ -149,9 +149,13 @@ def test_a_slider_moves_the_picture(tab):
 def test_a_playground_is_loaded_when_it_comes_into_view(tab):
     page = tab(VOLTMETER)
     assert page.locator("figure img").count() == 1 and page.locator("script[src*='/recorded/']").count() == 0
+    page.wait_for_timeout(2000)
     assert [box.input_value() for box in page.locator("figure .kf-box").all()] == ["4", "4"]
-    live(page)
+    assert "steady gain" in page.locator("figure .kf-sentence").text_content()
+    figure = live(page)
     assert page.locator("script[src*='/recorded/']").count() == 1
+    page.wait_for_timeout(2000)
+    assert "steady gain" in figure.locator(".kf-sentence").text_content()
 
 
 @pytest.mark.browser

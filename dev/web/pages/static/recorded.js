@@ -112,6 +112,7 @@ class Recording {
 // ---- the model: what playground.js speaks to
 
 const BESIDES = {
+  patience: [1e6, 1e6], // seconds: nothing is late before something was asked for
   busy: "The recorded pictures are on their way.",
   lost: "The recorded pictures do not come. Load the page again.",
 };
@@ -138,20 +139,21 @@ class Model {
   }
 
   send(content) {
-    if (content.kind === "move") this.move(content).catch(console.error);
-    else this.greet(content).catch(console.error);
+    if (content.kind === "hello") return this.greet(content).catch(console.error);
+    this.spec.patience = [1.5, 20];
+    this.move(content).catch(console.error);
   }
 
   // The values at once; the picture when there is one.
   async greet({ view, ratio }) {
-    this.ratio = ratio;
+    Object.assign(this, { view, ratio });
     this.answer({ view, n: 0 }, [{ status: this.status, handles: [] }, []]);
-    if (this.recording) await this.draw(view);
+    if (this.recording) await this.draw();
   }
-  async draw(view) {
+  async draw() {
     const { width, height, legends } = this.recording.about;
     this.tell({ kind: "stage", ratio: this.ratio, width, height, legends }, [this.recording.still]);
-    await this.answer({ view, n: 0 }, this.recording.picture(this.setting));
+    await this.answer({ view: this.view, n: 0 }, this.recording.picture(this.setting));
     this.shown();
   }
   async come() {
@@ -160,7 +162,7 @@ class Model {
   }
   async show() {
     await this.come();
-    await this.draw("");
+    await this.draw();
   }
 
   async move(content) {
