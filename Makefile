@@ -51,9 +51,9 @@ test: $(MORE) $(if $(CI),browser)          ## for an untouched clone: style, typ
 notebooks: $(READY)       ## execute every lesson again, in place
 	$(BIN)/python -m dev.notebooks
 
-site: $(MORE)             ## the course as a web page, in build/site, with its tests: five to ten minutes on two cores
+site: $(MORE)             ## the course as a web page, in build/site, with its tests: about ten minutes on two cores
 	$(BIN)/python -m dev.web.build
-	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load tests/dev/test_site.py tests/dev/test_page.py
+	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load tests/dev/test_site.py tests/dev/test_page.py tests/dev/test_named.py
 
 assignment: $(MORE)       ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
 	$(BIN)/python -m dev.teaching.assignment $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")
