@@ -60,6 +60,8 @@ class Exercise:
             print(printed.text(), end="")
         if outcome.status == "right":
             progress.note(self.module, self.name)
+            if progress.in_notebook() and progress.place() is None:
+                outcome = Outcome("right", f"{outcome.sentence} {progress.NOT_KEPT}")
         return outcome
 
     def hint(self, number=None) -> Message:
