@@ -118,9 +118,11 @@ def with_solution(source, answer, exercise):
     found = ast.parse(check).body[0].value.args[0].id
     place = next(s for s in ast.parse(source).body if answer in names(ast.unparse(s))[1])
     is_function = isinstance(place, ast.FunctionDef)
-    arguments = ", ".join(each.arg for each in place.args.args) if is_function else ""
-    result = f"return {found}({arguments})" if is_function else f"{answer} = {found}"
-    block = ["### BEGIN SOLUTION", *lines, "", result, "### END SOLUTION"]
+    if is_function:
+        lines += [f"return {found}({', '.join(each.arg for each in place.args.args)})"]
+    else:
+        lines = [re.sub(r"\banswer\b", answer, line) for line in lines]
+    block = ["### BEGIN SOLUTION", *lines, "### END SOLUTION"]
     indent = "    " if is_function else ""
     code = source.splitlines()
     code[place.end_lineno : place.end_lineno] = [f"{indent}{line}".rstrip() for line in block]
