@@ -14,6 +14,10 @@ def three(error):
     return [np.sum(error[..., k : k + 3] ** 2, axis=-1) for k in (0, 3, 6)]
 
 
+def fused(sigma, H, across):
+    return sigma * across / np.sqrt(sigma**2 * H**2 + across**2)
+
+
 WRONG = {
     "left_over": {
         "velocity with the wrong sign": (
@@ -106,6 +110,106 @@ WRONG = {
         "one column each": (
             lambda e: np.stack([np.sqrt(s.mean(axis=0)) for s in three(e)], axis=-1),
             "The numbers are right; hand them back as three series, each (T,), not as T rows of three.",
+        ),
+    },
+    "memory": {
+        "as published": (
+            lambda lasts, sd, dt: (np.exp(-1e4 * dt), 0.1),
+            "That is the published pair: a memory of a ten-thousandth of a second, and 0.1 whatever the manoeuvre. λ is 1/lasts.",
+        ),
+        "rate and time swapped": (
+            lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-2 * lasts * dt))),
+            "You used λ = lasts. A rate is one over a time: the longer a manoeuvre lasts, the *smaller* λ.",
+        ),
+        "what fades": (
+            lambda lasts, sd, dt: (1 - np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
+            "Your first number is what fades in a step; asked is what survives. The variance is right.",
+        ),
+        "part not squared": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts))),
+            "The part is right. But a variance that is multiplied by `part` on the way through F is multiplied by part².",
+        ),
+        "(1 − part)²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts)) ** 2),
+            "The part is right. Variances add up, not standard deviations: part²·sd² + noise = sd².",
+        ),
+        "sd not squared": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * (1 - np.exp(-2 * dt / lasts))),
+            "The part is right, but the noise is a variance: sd² and not sd.",
+        ),
+        "standard deviation": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * np.sqrt(1 - np.exp(-2 * dt / lasts))),
+            "That is the noise's standard deviation; Q wants its variance.",
+        ),
+        "sd² every step": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2),
+            "With sd² added at every step the variance would grow beyond sd², for part of the old one survives.",
+        ),
+        "sd² dt": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * dt),
+            "The part is right, the noise does not know how long a manoeuvre lasts: what fades must be filled up, sd²(1 − part²).",
+        ),
+        "straight line": (
+            lambda lasts, sd, dt: (1 - dt / lasts, sd**2 * (1 - (1 - dt / lasts) ** 2)),
+            "Nearly: 1 − dt/lasts is the tangent to e^(−dt/lasts), good for short steps only. Use the exponential.",
+        ),
+        "short steps": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), 2 * sd**2 * dt / lasts),
+            "Nearly: 2·sd²·dt/lasts holds for short steps only. The exact variance is sd²(1 − part²).",
+        ),
+        "other way round": (
+            lambda lasts, sd, dt: (sd**2 * (1 - np.exp(-2 * dt / lasts)), np.exp(-dt / lasts)),
+            "Both are right, in the wrong order: first the part, then the variance.",
+        ),
+    },
+    "false_range": {
+        "degrees as radians": (
+            lambda s, turn, r: fused(s, np.sin(turn), r),
+            "NumPy's sine wants radians: `np.sin(np.radians(turn))`.",
+        ),
+        "cosine": (
+            lambda s, turn, r: fused(s, np.cos(np.radians(turn)), r),
+            "You took the cosine. A needle that is not turned at all shows nothing of its length across the line: H is the sine.",
+        ),
+        "tangent": (
+            lambda s, turn, r: fused(s, np.tan(np.radians(turn)), r),
+            "You took the tangent of the turn; the length σ along the needle shows σ·sin(turn) across the new line.",
+        ),
+        "no turn": (
+            lambda s, turn, r: fused(s, 1, r),
+            "You fused as if the reading saw the needle at full length: H is the sine of the turn, not 1.",
+        ),
+        "variance": (
+            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), r) ** 2,
+            "That is the variance; asked is the standard deviation.",
+        ),
+        "the reading alone": (
+            lambda s, turn, r: r / np.sin(np.radians(turn)),
+            "Nearly: that is what the reading alone says, across/sin(turn). The needle's own σ knows something too; fuse them.",
+        ),
+        "as seen across": (
+            lambda s, turn, r: s * np.sin(np.radians(turn)),
+            "σ·sin(turn) is how broad the needle seems before the reading. What is left of σ after it?",
+        ),
+        "what is left across": (
+            lambda s, turn, r: np.sin(np.radians(turn)) * fused(s, np.sin(np.radians(turn)), r),
+            "That is the doubt left *across the new line*; asked is the one along the needle, 1/sin(turn) times as long.",
+        ),
+        "standard deviations for variances": (
+            lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) + r),
+            "You added standard deviations. Variances add: σ² sin² + across², and then the root.",
+        ),
+        "H not squared": (
+            lambda s, turn, r: fused(s, np.sqrt(np.sin(np.radians(turn))), r),
+            "H P Hᵀ has the sine twice: sin² times σ².",
+        ),
+        "across taken for a variance": (
+            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), np.sqrt(r)),
+            "`across` is a standard deviation; R is its square.",
+        ),
+        "unchanged": (
+            lambda s, turn, r: s,
+            "That would be right for a turn of 0. Here the filter believes that it sees the needle from the side.",
         ),
     },
 }

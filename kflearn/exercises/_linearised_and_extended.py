@@ -14,6 +14,24 @@ def off(x):
     return np.hypot(x, 20)
 
 
+def radar_slope(x, sign=-1, power=3, other=1):
+    """The Jacobian of distance and its rate, with the entries of the second row open to mistakes."""
+    r = np.hypot(x[0], x[2])
+    turn = x[2] * x[1] - x[0] * x[3]
+    bent = other * x[2] * turn / r**power, sign * x[0] * turn / r**power
+    return np.array([[x[0] / r, 0, x[2] / r, 0], [bent[0], x[0] / r, bent[1], x[2] / r]])
+
+
+def grown(x, u):
+    """Where the growth model moves x."""
+    return x / 2 + 25 * x / (1 + x**2) + u
+
+
+def growth_slope(x):
+    """Its slope."""
+    return 0.5 + 25 * (1 - x**2) / (1 + x**2) ** 2
+
+
 WRONG = {
     "linearised_correction": {
         "EKF": (
@@ -71,6 +89,124 @@ WRONG = {
         "nothing": (
             lambda x, P, reading, nominal: (x, P),
             "Nothing was corrected: the reading has to come in.",
+        ),
+    },
+    "mended_slope": {
+        "as claimed": (
+            lambda x: radar_slope(x, sign=1),
+            "That is the claimed Jacobian again. Take its difference from `jacobian(radar, x)`: one entry is not near zero.",
+        ),
+        "the neighbour": (
+            lambda x: radar_slope(x, sign=1, other=-1),
+            "You turned the sign in column 0, which was right; the wrong entry is the other one that holds `turn`.",
+        ),
+        "both": (
+            lambda x: radar_slope(x, other=-1),
+            "You turned both signs: one was wrong and is mended, the other was right and is now wrong.",
+        ),
+        "power two": (
+            lambda x: radar_slope(x, power=2),
+            "The sign is right now, but the third power of the distance was right too: leave it.",
+        ),
+        "transposed": (
+            lambda x: radar_slope(x).T,
+            "The numbers are right, but turned on their side: one row a measurement, one column a state.",
+        ),
+        "negative": (
+            lambda x: -radar_slope(x),
+            "Every sign is turned: that is the slope of −h. Did you take h(x − step) − h(x + step)?",
+        ),
+        "double": (
+            lambda x: 2 * radar_slope(x),
+            "Twice too large: the two points are 2·step apart, so divide by 2·step.",
+        ),
+        "entry zero": (
+            lambda x: radar_slope(x, sign=0),
+            "That the entry is wrong is no reason to strike it out: the rate does depend on y. Mend it.",
+        ),
+        "first row only": (
+            lambda x: radar_slope(x)[:1],
+            "The radar measures two things, so H has two rows: distance, and its rate.",
+        ),
+    },
+    "mended_prediction": {
+        "as published": (
+            lambda x, P, u: (grown(x, u), growth_slope(grown(x, u)) ** 2 * P + 10),
+            "That is the published prediction again: its slope is taken where the belief lands, not where it stood.",
+        ),
+        "halfway": (
+            lambda x, P, u: (grown(x, u), growth_slope((x + grown(x, u)) / 2) ** 2 * P + 10),
+            "You took the slope halfway. The belief to be pushed through the curve stands at the old x, nowhere else.",
+        ),
+        "at the input": (
+            lambda x, P, u: (grown(x, u), growth_slope(x + u) ** 2 * P + 10),
+            "The input is added after the curve: it shifts the mean and changes no slope.",
+        ),
+        "Q forgotten": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P),
+            "The slope is right now. But P also grows by Q = 10, the variance of what disturbs a step.",
+        ),
+        "Q stretched too": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * (P + 10)),
+            "The disturbance comes after the move, so the curve does not stretch it: F·P·F first, then + 10.",
+        ),
+        "F once": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) * P + 10),
+            "P is a variance: stretching by F multiplies it by F twice. With F below zero yours may even be negative.",
+        ),
+        "deviation for variance": (
+            lambda x, P, u: (grown(x, u), np.sqrt(growth_slope(x) ** 2 * P + 10)),
+            "You took a root: P is a variance and stays one.",
+        ),
+        "tangent for the mean": (
+            lambda x, P, u: (growth_slope(x) * x + u, growth_slope(x) ** 2 * P + 10),
+            "P is right. But the mean travels along the curve itself, `move(x, u)`; the slope is for the width only.",
+        ),
+        "u forgotten": (
+            lambda x, P, u: (grown(x, 0), growth_slope(x) ** 2 * P + 10),
+            "P is right. The mean lacks the known input u.",
+        ),
+        "not moved": (
+            lambda x, P, u: (x, growth_slope(x) ** 2 * P + 10),
+            "P is right, but the mean has stayed where it was: it moves to `move(x, u)`.",
+        ),
+    },
+    "true_starts": {
+        "as published": (
+            lambda mean, P0, normal: mean + 0 * normal,
+            "That is the published study again: every truth starts where the filter believes, exactly, while P0 claims otherwise.",
+        ),
+        "variance for its root": (
+            lambda mean, P0, normal: mean + normal @ P0,
+            "You stretched by the variances. The starts would scatter with covariance P0², not P0: take the roots.",
+        ),
+        "not stretched": (
+            lambda mean, P0, normal: mean + normal,
+            "That scatters with variance 1 in every state: honest for P0 = I, and for nothing else.",
+        ),
+        "about zero": (
+            lambda mean, P0, normal: normal * np.sqrt(np.diag(P0)),
+            "The scatter is right, but it lies about zero: add the mean.",
+        ),
+        "one draw for all states": (
+            lambda mean, P0, normal: mean + normal[:, :1] * np.sqrt(np.diag(P0)),
+            "One draw serves all four states of a run, so they are always wrong together. P0 is diagonal: each has its own.",
+        ),
+        "one draw for all runs": (
+            lambda mean, P0, normal: mean + 0 * normal + normal[0] * np.sqrt(np.diag(P0)),
+            "Every run starts at the same wrong place. The belief speaks of many starts: each run has its own row.",
+        ),
+        "other side": (
+            lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0)),
+            "As a draw that is just as good, for a bell is symmetric; but please add, so that the numbers can be compared.",
+        ),
+        "divided": (
+            lambda mean, P0, normal: mean + normal / np.sqrt(np.diag(P0)),
+            "You divided by the deviations: the vaguest state would scatter least.",
+        ),
+        "transposed": (
+            lambda mean, P0, normal: (mean + normal * np.sqrt(np.diag(P0))).T,
+            "The numbers are right, but turned on their side: one row a run, one column a state.",
         ),
     },
 }

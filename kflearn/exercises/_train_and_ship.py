@@ -1,5 +1,7 @@
 """Wrong answers to exercises of lesson 10, each with the sentence that it gets."""
 
+import math
+
 import numpy as np
 
 
@@ -155,6 +157,98 @@ WRONG = {
         "as published": (
             lambda z0, z1, dt, R: made(z1, 0, np.eye(2)),
             "Neither fix has said anything about the speed yet: it is (z₁ − z₀)/dt; and P₀ = I is the published habit.",
+        ),
+    },
+    "start_variance": {
+        "as published": (
+            lambda low, high, believed: 1.0,
+            "That is the published answer again: 1, whatever is known. Then five becomes 'five, give or take one'.",
+        ),
+        "the wrong guess forgotten": (
+            lambda low, high, believed: (high - low) ** 2 / 12,
+            "That is the variance about the middle of the range. The filter starts at `believed`, and P₀ counts errors from there.",
+        ),
+        "the scatter forgotten": (
+            lambda low, high, believed: ((low + high) / 2 - believed) ** 2,
+            "That is the squared distance from the middle only; at believed = middle it would claim to know the speed exactly.",
+        ),
+        "a deviation": (
+            lambda low, high, believed: math.sqrt((high - low) ** 2 / 12 + ((low + high) / 2 - believed) ** 2),
+            "Rightly put together, and then the root was taken: P holds variances, in (m/s)².",
+        ),
+        "distance not squared": (
+            lambda low, high, believed: (high - low) ** 2 / 12 + abs((low + high) / 2 - believed),
+            "The distance from the middle to `believed` is in m/s; to be added to a variance it must be squared.",
+        ),
+        "the whole range squared": (
+            lambda low, high, believed: (high - low) ** 2 + ((low + high) / 2 - believed) ** 2,
+            "You took the whole range for a standard deviation. Between two limits the variance is the range squared, over 12.",
+        ),
+        "half the range squared": (
+            lambda low, high, believed: (high - low) ** 2 / 4 + ((low + high) / 2 - believed) ** 2,
+            "Half the range is the farthest that the speed can be from the middle; on average it is nearer: divide the range squared by 12.",
+        ),
+        "half the range squared, guess forgotten": (
+            lambda low, high, believed: (high - low) ** 2 / 4,
+            "Half the range as σ is too much between hard limits (divide the range squared by 12), and the wrong guess is missing.",
+        ),
+        "range over 12": (
+            lambda low, high, believed: (high - low) / 12 + ((low + high) / 2 - believed) ** 2,
+            "The 12 belongs under the range *squared*; m/s and (m/s)² cannot be added.",
+        ),
+        "the worst case": (
+            lambda low, high, believed: max(abs(high - believed), abs(low - believed)) ** 2,
+            "That is the worst error, squared. P₀ is the *mean* square: nothing is over-confident here, but the start counts too little.",
+        ),
+    },
+    "report": {
+        "as published": (
+            lambda e: (np.cov(e.T), np.mean(np.hypot(*e.T))),
+            "That is the published report again: a covariance called a mean, and a mean distance called RMS.",
+        ),
+        "mean distance": (
+            lambda e: (e.mean(axis=0), np.mean(np.hypot(*e.T))),
+            "The mean is right. The second number is still the mean distance: square, *then* average, then take the root.",
+        ),
+        "rms right, covariance": (
+            lambda e: (np.cov(e.T), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
+            "The root mean square is right. The first is still a covariance, in m²: a mean error is in metres.",
+        ),
+        "variances": (
+            lambda e: (e.var(axis=0), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
+            "The root mean square is right. The first are variances, in m²: a mean error is in metres and has a sign.",
+        ),
+        "an rms for each axis": (
+            lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2, axis=0))),
+            "The mean is right. You return one rms for each axis, as R wants them; the rms *distance* is one number.",
+        ),
+        "all numbers alike": (
+            lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2))),
+            "The mean is right. `np.mean` over all 2T numbers gives an rms per axis, √2 too small: first add the squares of a fix.",
+        ),
+        "root forgotten": (
+            lambda e: (e.mean(axis=0), np.mean(np.sum(e**2, axis=1))),
+            "The mean is right. The second is a mean square, in m²: the root is missing.",
+        ),
+        "about the mean": (
+            lambda e: (e.mean(axis=0), np.sqrt(np.mean(np.sum((e - e.mean(axis=0)) ** 2, axis=1)))),
+            "The mean is right. But you took it away before squaring: a receiver that is always 50 m off would get a fine mark.",
+        ),
+        "mean not divided": (
+            lambda e: (e.mean(axis=0), np.sqrt(np.sum(e**2))),
+            "The mean is right. You took the root of the *sum* over all fixes: more fixes would make the error larger.",
+        ),
+        "mean of both axes": (
+            lambda e: (e.mean(), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
+            "The root mean square is right. The mean needs `axis=0`: east and north apart, else one hides the other.",
+        ),
+        "mean of each fix": (
+            lambda e: (e.mean(axis=1), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
+            "The root mean square is right. You averaged east with north in each fix: the mean goes over the fixes, `axis=0`.",
+        ),
+        "mean without sign": (
+            lambda e: (abs(e).mean(axis=0), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
+            "The root mean square is right. A mean error keeps its sign: errors to both sides cancel, and so they should.",
         ),
     },
 }

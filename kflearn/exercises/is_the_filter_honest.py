@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn import chi_square_interval
+from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises.engine import exercise
 
 
@@ -12,40 +13,7 @@ from kflearn.exercises.engine import exercise
         "With 50 · 2 = 100. Cut off 2.5 % at either end of that law, and remember that the average was asked for.",
         "chi2.ppf([0.025, 0.975], 100) / 50, or chi_square_interval(dof=2, runs=50).",
     ],
-    wrong={
-        "one-sided": (
-            lambda: (0.0, chi_square_interval(2, 50, 0.9)[1]),
-            "Your interval has one end only: it would pass every filter that is too modest. Cut off 2.5 % below as well.",
-        ),
-        "5 % at either end": (
-            lambda: chi_square_interval(2, 50, 0.9),
-            "You cut off 5 % at either end, which leaves 90 %. For 95 % cut off 2.5 % below and 2.5 % above.",
-        ),
-        "the sum": (
-            lambda: tuple(np.multiply(chi_square_interval(2, 50), 50)),
-            "Those are the limits of the sum of 50 runs; the average was asked for, so divide by 50.",
-        ),
-        "n forgotten": (
-            lambda: chi_square_interval(1, 50),
-            "These limits lie about 1, so they belong to a single state. Two states bring 2 · 50 degrees of freedom.",
-        ),
-        "one run": (
-            lambda: chi_square_interval(2, 1),
-            "Those are the limits for a single run. Averages of 50 scatter far less: 50 · 2 degrees of freedom, divided by 50.",
-        ),
-        "divided by n as well": (
-            lambda: tuple(np.divide(chi_square_interval(2, 50), 2)),
-            "You divided by n too: these are limits for NEES/n, about 1. NEES itself averages n = 2.",
-        ),
-        "four states": (
-            lambda: chi_square_interval(4, 50),
-            "That is the ship's interval, n = 4. This filter has two states.",
-        ),
-        "a bell": (
-            lambda: (2 - 1.96 * np.sqrt(4 / 50), 2 + 1.96 * np.sqrt(4 / 50)),
-            "You took a bell with the right mean and variance. Near, but the chi-square law is lopsided: take its own quantiles.",
-        ),
-    },
+    wrong=WRONG["interval"],
     rtol=5e-3,
 )
 def interval():
@@ -67,40 +35,7 @@ def errors_and_claims(rng):
         "return e @ np.linalg.solve(P, e)",
     ],
     inputs=errors_and_claims,
-    wrong={
-        "without P": (
-            lambda e, P: e @ e,
-            "That is the squared error alone. It is not normalised: the claim P has not been asked for its opinion.",
-        ),
-        "σ for P": (
-            lambda e, P: np.sum(e**2 / np.sqrt(np.diag(P))),
-            "You divided squares by standard deviations. A squared error belongs over a variance; and P has covariances too.",
-        ),
-        "only the diagonal": (
-            lambda e, P: np.sum(e**2 / np.diag(P)),
-            "You used the variances only. The errors belong together: P⁻¹ takes the covariances beside the diagonal into account.",
-        ),
-        "P, not its inverse": (
-            lambda e, P: e @ P @ e,
-            "You multiplied by P. A large claim must make the score small: it is P⁻¹ that stands between the two e.",
-        ),
-        "entry by entry": (
-            lambda e, P: e @ (1 / P) @ e,
-            "1 / P divides entry by entry; the inverse of a matrix is something else. np.linalg.solve(P, e) is P⁻¹ e.",
-        ),
-        "the root": (
-            lambda e, P: np.sqrt(e @ np.linalg.solve(P, e)),
-            "You took the root: that is a distance in sigmas. NEES is its square, and only the square follows chi-square.",
-        ),
-        "divided by n": (
-            lambda e, P: e @ np.linalg.solve(P, e) / len(e),
-            "You divided by n: that is NEES/n, which averages 1. It is handy in a figure, but NEES averages n.",
-        ),
-        "not added up": (
-            lambda e, P: e * np.linalg.solve(P, e),
-            "The pieces are right; add them up: e @ … multiplies and adds in one go.",
-        ),
-    },
+    wrong=WRONG["nees"],
 )
 def nees(e, P):
     """The normalised estimation error squared of an error e (n,) with the claimed covariance P (n, n)."""
@@ -146,40 +81,7 @@ def errors_and_variances(rng):
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
     inputs=errors_and_variances,
-    wrong={
-        "as published": (
-            lambda e, P: np.mean(abs(e) <= P),
-            "That is still the published band: it compares metres with square metres. Where P > 1 it is too wide, else too narrow.",
-        ),
-        "±2σ": (
-            lambda e, P: np.mean(abs(e) <= 2 * np.sqrt(P)),
-            "The root is right. But that is the band ±2σ, which holds 95.4 %; ±1σ was asked for.",
-        ),
-        "one side": (
-            lambda e, P: np.mean(e <= np.sqrt(P)),
-            "You forgot the lower edge: errors far below zero count as inside. Take abs(e).",
-        ),
-        "e² against σ": (
-            lambda e, P: np.mean(e**2 <= np.sqrt(P)),
-            "Now the error is squared and the claim is not. Compare |e| with √P, or e² with P.",
-        ),
-        "P²": (
-            lambda e, P: np.mean(abs(e) <= P**2),
-            "You squared the variance; the standard deviation is its root.",
-        ),
-        "a count": (
-            lambda e, P: np.sum(abs(e) <= np.sqrt(P)),
-            "The band is right, and you counted those inside. A share is that count divided by how many there are: np.mean.",
-        ),
-        "outside": (
-            lambda e, P: np.mean(abs(e) > np.sqrt(P)),
-            "The band is right, but that is the share outside.",
-        ),
-        "per cent": (
-            lambda e, P: 100 * np.mean(abs(e) <= np.sqrt(P)),
-            "The band is right. Leave the share between 0 and 1: the format `.1%` makes per cent of it.",
-        ),
-    },
+    wrong=WRONG["share_inside"],
 )
 def share_inside(e, P):
     """The share of the errors e inside the band ±1σ, when the variances P are claimed for them."""
@@ -199,32 +101,7 @@ def start_beliefs(rng):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=start_beliefs,
-    wrong={
-        "as published": (
-            lambda mean, variances, normal: mean,
-            "That is the published start: every run begins where the filter believes, and P₀ is an empty claim.",
-        ),
-        "variance for σ": (
-            lambda mean, variances, normal: mean + variances * normal,
-            "You stretched by the variance, so the start scatters with variance². Stretch by its root.",
-        ),
-        "P₀ = I": (
-            lambda mean, variances, normal: mean + normal,
-            "That is right for P₀ = I only: the variances are not used yet.",
-        ),
-        "no chance": (
-            lambda mean, variances, normal: mean + np.sqrt(variances),
-            "Every run would start one σ away, on the same side. Multiply σ by the random numbers.",
-        ),
-        "no mean": (
-            lambda mean, variances, normal: np.sqrt(variances) * normal,
-            "The scatter is right, but about zero; it belongs about the mean.",
-        ),
-        "divided": (
-            lambda mean, variances, normal: mean + normal / np.sqrt(variances),
-            "You divided by σ: that makes a number standard normal. Here it goes the other way.",
-        ),
-    },
+    wrong=WRONG["draw_start"],
 )
 def draw_start(mean, variances, normal):
     """A start drawn from N(mean, diag(variances)), made of standard normal random numbers."""
