@@ -42,7 +42,7 @@ WRONG = {
         ),
         "radians returned": (
             lambda d: math.radians((d + 180) % 360 - 180),
-            "Wrapped rightly, but then turned into radians; the filter lives in degrees.",
+            "It is wrapped as it should be, and then turned into radians; the filter works in degrees.",
         ),
         "from 0 to 360 with half a turn": (
             lambda d: (d + 180) % 360,
@@ -50,7 +50,7 @@ WRONG = {
         ),
         "half a turn as period": (
             lambda d: (d + 90) % 180 - 90,
-            "You wrapped with a period of 180: a voice behind would be taken for one in front.",
+            "You wrapped with a period of 180: a voice behind is then taken for one in front.",
         ),
         "only downwards": (
             lambda d: d - 360 if d > 180 else d,
@@ -62,11 +62,11 @@ WRONG = {
         ),
         "one turn only": (
             lambda d: d - 360 if d > 180 else d + 360 if d < -180 else d,
-            "Right for one turn. But the estimate itself is never wrapped and may be two turns on: use the remainder, `%`.",
+            "Right for one turn. But the estimate itself is never wrapped and may be several turns on: use the remainder, `%`.",
         ),
         "C's remainder": (
             lambda d: math.fmod(d + 180, 360) - 180,
-            "`fmod` keeps the sign of its first argument, as C's does, so what lies below −180 comes out too low; Python's `%` does not.",
+            "`fmod` keeps the sign of its first argument, as in C, so what lies below −180 becomes too low; Python's `%` does not.",
         ),
         "the other way round": (
             lambda d: -((d + 180) % 360 - 180),
@@ -75,6 +75,22 @@ WRONG = {
         "arcsine of the sine": (
             lambda d: math.degrees(math.asin(math.sin(math.radians(d)))),
             "The arcsine knows only −90 to 90: that is the front/back ambiguity of the two microphones again.",
+        ),
+        "moved down only": (
+            lambda d: d % 360 - 180,
+            "After the remainder you moved down by half a turn, so a difference of 0 becomes −180. What must be done before the remainder?",
+        ),
+        "half turns taken off": (
+            lambda d: d % 180,
+            "`% 180` takes off half turns: a difference of 190 becomes 10, though that is on the other side. A turn is 360.",
+        ),
+        "up twice": (
+            lambda d: (d + 180) % 360 + 180,
+            "You moved up by half a turn twice; the second time it must be down.",
+        ),
+        "two turns": (
+            lambda d: next((d + 360 * k for k in (0, -1, 1, -2, 2) if abs(d + 360 * k) <= 180), d),
+            "Right for two turns. After three the difference is beyond 900, and you leave it there: the remainder, `%`, takes off any number of turns.",
         ),
     },
     "offset": {
@@ -109,6 +125,18 @@ WRONG = {
         "sum of pushes": (
             lambda x1, K, dt: dt * x1 / (1 - K),
             "You let the pushes pile up with the factor K; what survives a correction is the part 1 − K.",
+        ),
+        "what is taken away": (
+            lambda x1, K, dt: K * dt * x1,
+            "K·dt·x₁ is what the first correction takes away; 1 − K is left of each push, and the pushes pile up.",
+        ),
+        "dt forgotten, before the correction": (
+            lambda x1, K, dt: x1 / K,
+            "Two things are missing: dt, and the factor 1 − K that the correction leaves.",
+        ),
+        "none": (
+            lambda x1, K, dt: 0.0,
+            "A zero offset would need a rate of zero, or a gain of 1. Here each step pushes by dt·x₁.",
         ),
     },
     "right_prediction": {
@@ -156,6 +184,26 @@ WRONG = {
             lambda P, Q, dt: rows(dt) @ P @ rows(dt).T - Q,
             "Q is taken away: time makes a belief wider, never sharper.",
         ),
+        "diagonal of Q": (
+            lambda P, Q, dt: rows(dt) @ P @ rows(dt).T + np.diag(np.diag(Q)),
+            "F P Fᵀ is right. Of Q you add the diagonal only; it may have corners, so add the whole matrix.",
+        ),
+        "first entry of Q": (
+            lambda P, Q, dt: rows(dt) @ P @ rows(dt).T + Q[0, 0] * np.eye(2),
+            "F P Fᵀ is right. You add Q's first entry twice, as in the published program; here Q is a whole matrix.",
+        ),
+        "Q added first": (
+            lambda P, Q, dt: rows(dt) @ (P + Q) @ rows(dt).T,
+            "You added Q before the move, so F acts on the jolts of this step as well. First F P Fᵀ, then + Q.",
+        ),
+        "upper left by hand": (
+            lambda P, Q, dt: (rows(dt) @ P @ rows(dt).T + Q) - np.diag([dt * P[0, 1] + dt**2 * P[1, 1], 0]),
+            "The corners are right. The upper left entry is not: it takes dt·P₁₀, dt·P₀₁ and dt²·P₁₁. Let F P Fᵀ do it.",
+        ),
+        "P on both sides": (
+            lambda P, Q, dt: P @ rows(dt) @ P.T + Q,
+            "F and P have changed places: F stands on both sides, P in the middle.",
+        ),
     },
     "right_update": {
         "as published": (
@@ -195,5 +243,33 @@ WRONG = {
             "You formed Hᵀ Kᵀ. K is the column, H the row: np.outer(K, [1, 0]).",
         ),
         "unchanged": (lambda P, K: P, "P is handed back unchanged: then the gain never settles."),
+        "columns scaled": (
+            lambda P, K: P - K * P,
+            "`K * P` multiplies each column by its own gain. What is taken away is the matrix K H P: the column K times the first row of P.",
+        ),
+        "K @ H is a number": (
+            lambda P, K: (np.eye(2) - K[0]) @ P,
+            "For two vectors `K @ H` is one number, K₀. K H is a matrix, a column times a row: np.outer(K, [1, 0]).",
+        ),
+        "column for row": (
+            lambda P, K: P - np.outer(K, P[:, 0]),
+            "Right for a symmetric P. H P is the first *row* of P, you took the first column; and this P is not symmetric.",
+        ),
+        "both sides": (
+            lambda P, K: (np.eye(2) - np.outer(K, [1, 0])) @ P @ (np.eye(2) - np.outer(K, [1, 0])).T,
+            "You multiplied by (I − KH) on both sides. That is the first half of Joseph's form, which also needs K R Kᵀ. Here it is once, on the left.",
+        ),
+        "P forgotten": (
+            lambda P, K: np.eye(2) - np.outer(K, [1, 0]),
+            "I − KH is right; it still has to be multiplied by P, with @.",
+        ),
+        "symmetrised": (
+            lambda P, K: (lambda Q: (Q + Q.T) / 2)(P - np.outer(K, P[0])),
+            "You made the result symmetric afterwards. For this P and K the product (I − KH)P is not symmetric: leave it as it is.",
+        ),
+        "second gain unused": (
+            lambda P, K: P - np.outer([K[0], P[1, 0] / P[0, 0] * K[0]], P[0]),
+            "You worked out the second gain from P and did not use K[1]. The update must work for any gain: use both numbers of K.",
+        ),
     },
 }

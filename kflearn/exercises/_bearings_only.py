@@ -73,6 +73,30 @@ WRONG = {
             lambda east, north: math.atan2(north, east) % math.pi,
             "Half a turn is no turn: the station would take what is behind it for what is in front of it.",
         ),
+        "half a turn added": (
+            lambda east, north: math.atan2(north, east) + math.pi,
+            "You added half a turn to every bearing: now each points the opposite way. Only negative angles need something added, and it is a whole turn.",
+        ),
+        "% 360": (
+            lambda east, north: math.atan2(north, east) % 360,
+            "`arctan2` answers in radians, so a whole turn is 2π, not 360.",
+        ),
+        "absolute value": (
+            lambda east, north: abs(math.atan2(north, east)),
+            "`abs` puts every target in the south to the north. A negative angle needs a whole turn added.",
+        ),
+        "a turn added to all": (
+            lambda east, north: math.atan2(north, east) + TURN,
+            "You added a whole turn to all of them: those in the north are now above 2π. The remainder, `% (2 * np.pi)`, adds it only where needed.",
+        ),
+        "no turn in quadrant 4": (
+            lambda east, north: math.atan(north / east) if east > 0 else math.atan(north / east) + math.pi,
+            "Right in three quadrants. South-east you answer with a negative angle: add a whole turn.",
+        ),
+        "arctangent plus half a turn": (
+            lambda east, north: math.atan(north / east) + math.pi,
+            "The quotient has lost one sign, and half a turn for all cannot bring it back: look at the signs of both, as `arctan2` does.",
+        ),
     },
     "bearing_variance": {
         "as published": (
@@ -103,6 +127,15 @@ WRONG = {
         "a whole turn": (
             lambda sd: (sd * math.pi / 360) ** 2,
             "π radians are 180°, not 360°.",
+        ),
+        "twice σ": (lambda sd: 2 * math.radians(sd), "You doubled the standard deviation. The variance is its square."),
+        "converted twice": (
+            lambda sd: math.radians(math.radians(sd) ** 2),
+            "You converted twice: after σ is in radians, its square is in rad² already.",
+        ),
+        "the notebook's number": (
+            lambda sd: math.radians(0.1) ** 2,
+            "That is R for 0.1°. Write it for any σ: use `sd`.",
         ),
     },
 }

@@ -14,10 +14,6 @@ def three(error):
     return [np.sum(error[..., k : k + 3] ** 2, axis=-1) for k in (0, 3, 6)]
 
 
-def fused(sigma, H, across):
-    return sigma * across / np.sqrt(sigma**2 * H**2 + across**2)
-
-
 WRONG = {
     "left_over": {
         "velocity with the wrong sign": (
@@ -61,6 +57,26 @@ WRONG = {
             "You handed back the error at t₀. It shrinks as t does, although nothing is measured.",
         ),
         "nothing left": (lambda e, v, t0, t: 0.0, "Zero is right only at t = 0, the impact."),
+        "coasting from here": (
+            lambda e, v, t0, t: e + v * t,
+            "You let the error coast for t seconds. t is the time still to go; and the error does not coast, both are steered.",
+        ),
+        "coasting, scaled": (
+            lambda e, v, t0, t: (e + v * (t0 - t)) * t / t0,
+            "You let the error coast and scaled it by t/t₀. Neither part is right alone: fit a·t + b·t³ to e and to v at t₀.",
+        ),
+        "line plus coasting": (
+            lambda e, v, t0, t: e * t / t0 + v * (t0 - t),
+            "You added the coasting of v to a straight line. Fit a·t + b·t³: its value at t₀ is e, its slope against t is −v.",
+        ),
+        "e and v as coefficients": (
+            lambda e, v, t0, t: e * t + v * t**3,
+            "You took e and v themselves for a and b. They are the error and its velocity at t₀: two equations for a and b.",
+        ),
+        "time gone": (
+            lambda e, v, t0, t: e * (1 - t / t0),
+            "You took t for the time that has passed. It is the time to go: at t = t₀ the whole error is still there.",
+        ),
     },
     "figures": {
         "as published": (
@@ -110,6 +126,18 @@ WRONG = {
         "one column each": (
             lambda e: np.stack([np.sqrt(s.mean(axis=0)) for s in three(e)], axis=-1),
             "The numbers are right; hand them back as three series, each (T,), not as T rows of three.",
+        ),
+        "for each run": (
+            lambda e: [np.sqrt(s) for s in three(e)],
+            "These are the distances of each run. The mean of their squares over the runs is missing, before the root.",
+        ),
+        "nine rows": (
+            lambda e: np.sqrt(np.mean(e**2, axis=0)),
+            "That is one column for each of the nine states. Put three axes together: add their squares before the mean.",
+        ),
+        "two series": (
+            lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[:2]],
+            "The first two are right; the third series, the acceleration's (indices 6 to 8), is missing.",
         ),
     },
     "memory": {
@@ -161,55 +189,21 @@ WRONG = {
             lambda lasts, sd, dt: (sd**2 * (1 - np.exp(-2 * dt / lasts)), np.exp(-dt / lasts)),
             "Both are right, in the wrong order: first the part, then the variance.",
         ),
-    },
-    "false_range": {
-        "degrees as radians": (
-            lambda s, turn, r: fused(s, np.sin(turn), r),
-            "NumPy's sine wants radians: `np.sin(np.radians(turn))`.",
+        "what is left of sd²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * np.exp(-2 * dt / lasts)),
+            "The part is right. Your second number is the variance that survives; the noise is what is missing to sd².",
         ),
-        "cosine": (
-            lambda s, turn, r: fused(s, np.cos(np.radians(turn)), r),
-            "You took the cosine. A needle that is not turned at all shows nothing of its length across the line: H is the sine.",
+        "part of sd²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * np.exp(-dt / lasts)),
+            "The part is right. The noise must fill up what fades, to sd² again: part²·sd² + noise = sd².",
         ),
-        "tangent": (
-            lambda s, turn, r: fused(s, np.tan(np.radians(turn)), r),
-            "You took the tangent of the turn; the length σ along the needle shows σ·sin(turn) across the new line.",
+        "grows": (
+            lambda lasts, sd, dt: (np.exp(dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
+            "The sign of the exponent: what survives is less than 1.",
         ),
-        "no turn": (
-            lambda s, turn, r: fused(s, 1, r),
-            "You fused as if the reading saw the needle at full length: H is the sine of the turn, not 1.",
-        ),
-        "variance": (
-            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), r) ** 2,
-            "That is the variance; asked is the standard deviation.",
-        ),
-        "the reading alone": (
-            lambda s, turn, r: r / np.sin(np.radians(turn)),
-            "Nearly: that is what the reading alone says, across/sin(turn). The needle's own σ knows something too; fuse them.",
-        ),
-        "as seen across": (
-            lambda s, turn, r: s * np.sin(np.radians(turn)),
-            "σ·sin(turn) is how broad the needle seems before the reading. What is left of σ after it?",
-        ),
-        "what is left across": (
-            lambda s, turn, r: np.sin(np.radians(turn)) * fused(s, np.sin(np.radians(turn)), r),
-            "That is the doubt left *across the new line*; asked is the one along the needle, 1/sin(turn) times as long.",
-        ),
-        "standard deviations for variances": (
-            lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) + r),
-            "You added standard deviations. Variances add: σ² sin² + across², and then the root.",
-        ),
-        "H not squared": (
-            lambda s, turn, r: fused(s, np.sqrt(np.sin(np.radians(turn))), r),
-            "H P Hᵀ has the sine twice: sin² times σ².",
-        ),
-        "across taken for a variance": (
-            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), np.sqrt(r)),
-            "`across` is a standard deviation; R is its square.",
-        ),
-        "unchanged": (
-            lambda s, turn, r: s,
-            "That would be right for a turn of 0. Here the filter believes that it sees the needle from the side.",
+        "sd not squared, part not squared": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * (1 - np.exp(-dt / lasts))),
+            "The part is right. In the noise both are variances: sd² and part².",
         ),
     },
 }

@@ -36,13 +36,21 @@ WRONG = {
         ),
         "a bell": (
             lambda: (2 - 1.96 * np.sqrt(4 / 50), 2 + 1.96 * np.sqrt(4 / 50)),
-            "You took a bell with the right mean and variance. Near, but the chi-square law is lopsided: take its own quantiles.",
+            "You took a normal distribution with the right mean and variance. Near, but chi-square is lopsided: take its own quantiles.",
+        ),
+        "arguments swapped": (
+            lambda: chi_square_interval(50, 2),
+            "You exchanged the two numbers: `dof` is the number of states, `runs` the number of runs.",
+        ),
+        "degrees of freedom of the runs alone": (
+            lambda: tuple(np.multiply(chi_square_interval(1, 50), 50) / 100),
+            "The 50 runs have 50 · 2 degrees of freedom, and the sum is divided by the 50 runs only.",
         ),
     },
     "nees": {
         "without P": (
             lambda e, P: e @ e,
-            "That is the squared error alone. It is not normalised: the claim P has not been asked for its opinion.",
+            "That is the squared error alone. P, what the filter claims, is not used yet: it must divide.",
         ),
         "σ for P": (
             lambda e, P: np.sum(e**2 / np.sqrt(np.diag(P))),
@@ -71,6 +79,30 @@ WRONG = {
         "not added up": (
             lambda e, P: e * np.linalg.solve(P, e),
             "The pieces are right; add them up: e @ … multiplies and adds in one go.",
+        ),
+        "a vector": (
+            lambda e, P: e @ np.linalg.inv(P),
+            "That is P⁻¹ e, one number for each state. Multiply by e once more, with @, and you have one number for all.",
+        ),
+        "no product": (
+            lambda e, P: e**2 / np.diag(P),
+            "That is one number for each state, and the covariances are not used. NEES is one number: e stands on both sides of P⁻¹.",
+        ),
+        "divided by a matrix": (
+            lambda e, P: e**2 / P,
+            "`/ P` divides by each entry of P and gives a matrix. The inverse of a matrix is something else: np.linalg.solve(P, e) is P⁻¹ e.",
+        ),
+        "by the trace": (
+            lambda e, P: e @ e / np.trace(P),
+            "You divided the squared length by the sum of the variances. Each direction has its own variance: use P⁻¹.",
+        ),
+        "mean over the states": (
+            lambda e, P: np.mean(e**2 / np.diag(P)) + 0 * P[0, 0],
+            "That is a mean over the states, and the covariances are not used. NEES adds up, with P⁻¹ between two e.",
+        ),
+        "inverse entry by entry": (
+            lambda e, P: e * np.linalg.inv(P) * e,
+            "`*` multiplies entry by entry and leaves a matrix. The products with P⁻¹ are matrix products: @.",
         ),
     },
     "share_inside": {
@@ -106,6 +138,22 @@ WRONG = {
             lambda e, P: 100 * np.mean(abs(e) <= np.sqrt(P)),
             "The band is right. Leave the share between 0 and 1: the format `.1%` makes per cent of it.",
         ),
+        "not averaged": (
+            lambda e, P: abs(e) <= np.sqrt(P),
+            "The comparison is right. It says True or False for each error; the share of True is their mean.",
+        ),
+        "one σ": (
+            lambda e, P: np.mean(abs(e) <= np.sqrt(np.mean(P))),
+            "You compare all errors with one σ. Each error has a variance of its own: take its root, entry by entry.",
+        ),
+        "1": (
+            lambda e, P: np.mean(abs(e) <= 1),
+            "You compare with 1, whatever is claimed. ±1σ means: one standard deviation, which is the root of P.",
+        ),
+        "scatter of the errors": (
+            lambda e, P: np.mean(abs(e) <= np.std(e)),
+            "You compare with the scatter of the errors themselves. The question is about what was claimed: the variances P.",
+        ),
     },
     "draw_start": {
         "as published": (
@@ -131,6 +179,26 @@ WRONG = {
         "divided": (
             lambda mean, variances, normal: mean + normal / np.sqrt(variances),
             "You divided by σ: that makes a number standard normal. Here it goes the other way.",
+        ),
+        "one number for all": (
+            lambda mean, variances, normal: mean + np.sqrt(variances) @ normal,
+            "`@` adds the products up, so all states are moved by the same number. Multiply entry by entry, with `*`.",
+        ),
+        "the same number for all": (
+            lambda mean, variances, normal: mean + np.sqrt(variances) * normal[0],
+            "All states share one random number, so they are always wrong together. Each has a number of its own.",
+        ),
+        "other side": (
+            lambda mean, variances, normal: mean - np.sqrt(variances) * normal,
+            "Such a draw is as good as the other, for the distribution is symmetric. But please add, so that the numbers can be compared.",
+        ),
+        "variance squared": (
+            lambda mean, variances, normal: mean + variances**2 * normal,
+            "You squared the variances; σ is their root.",
+        ),
+        "mean stretched too": (
+            lambda mean, variances, normal: mean * np.sqrt(variances) * normal,
+            "You multiplied the mean as well. The mean shifts the scatter, it is added.",
         ),
     },
 }

@@ -3,17 +3,6 @@
 import numpy as np
 
 
-def corrected(x, P, innovation, H):
-    """A scalar correction with R = 4."""
-    K = P * H / (H * P * H + 4)
-    return x + K * innovation, (1 - K * H) * P
-
-
-def off(x):
-    """The distance from the station 20 m beside the rail."""
-    return np.hypot(x, 20)
-
-
 def radar_slope(x, sign=-1, power=3, other=1):
     """The Jacobian of distance and its rate, with the entries of the second row open to mistakes."""
     r = np.hypot(x[0], x[2])
@@ -33,64 +22,6 @@ def growth_slope(x):
 
 
 WRONG = {
-    "linearised_correction": {
-        "EKF": (
-            lambda x, P, reading, nominal: corrected(x, P, reading - off(x), x / off(x)),
-            "That is the extended filter's correction again: its tangent is drawn at the estimate x.",
-        ),
-        "line without its slope": (
-            lambda x, P, reading, nominal: corrected(x, P, reading - off(nominal), nominal / off(nominal)),
-            "The slope is right. But you expect the distance of the nominal place, though the estimate is elsewhere: add H·(x − nominal).",
-        ),
-        "curve at x": (
-            lambda x, P, reading, nominal: corrected(x, P, reading - off(x), nominal / off(nominal)),
-            "The slope is right. But what is expected comes from the curve at x; read it off the straight line. Mixed like this, some tracks of the range scene run away.",
-        ),
-        "slope at x": (
-            lambda x, P, reading, nominal: corrected(
-                x, P, reading - off(nominal) - x / off(x) * (x - nominal), x / off(x)
-            ),
-            "You go along a line through the nominal point, but with the slope of the estimate's: take H at the nominal.",
-        ),
-        "line the wrong way": (
-            lambda x, P, reading, nominal: corrected(
-                x, P, reading - off(nominal) - nominal / off(nominal) * (nominal - x), nominal / off(nominal)
-            ),
-            "You walk along the line the wrong way: from the nominal to x it is x − nominal.",
-        ),
-        "starts at the nominal": (
-            lambda x, P, reading, nominal: corrected(nominal, P, reading - off(nominal), nominal / off(nominal)),
-            "You correct the nominal place itself. The estimate lives on beside it: only the line is the nominal's.",
-        ),
-        "P as it was": (
-            lambda x, P, reading, nominal: (
-                corrected(
-                    x, P, reading - off(nominal) - nominal / off(nominal) * (x - nominal), nominal / off(nominal)
-                )[0],
-                P,
-            ),
-            "x is right. P has to shrink by the factor 1 − K·H.",
-        ),
-        "P without H": (
-            lambda x, P, reading, nominal: (
-                corrected(
-                    x, P, reading - off(nominal) - nominal / off(nominal) * (x - nominal), nominal / off(nominal)
-                )[0],
-                P - P * nominal / off(nominal) / ((nominal / off(nominal)) ** 2 * P + 4) * P,
-            ),
-            "x is right. In P you have 1 − K; it must be 1 − K·H, for the distance does not measure x one to one.",
-        ),
-        "sign of the innovation": (
-            lambda x, P, reading, nominal: corrected(
-                x, P, off(nominal) + nominal / off(nominal) * (x - nominal) - reading, nominal / off(nominal)
-            ),
-            "The innovation has the wrong sign: it is reading minus expected.",
-        ),
-        "nothing": (
-            lambda x, P, reading, nominal: (x, P),
-            "Nothing was corrected: the reading has to come in.",
-        ),
-    },
     "mended_slope": {
         "as claimed": (
             lambda x: radar_slope(x, sign=1),
@@ -127,6 +58,34 @@ WRONG = {
         "first row only": (
             lambda x: radar_slope(x)[:1],
             "The radar measures two things, so H has two rows: distance, and its rate.",
+        ),
+        "power two, sign as claimed": (
+            lambda x: radar_slope(x, sign=1, power=2),
+            "The third power of the distance was right, and the wrong sign is still there: compare entry by entry with `jacobian(radar, x)`.",
+        ),
+        "power one": (
+            lambda x: radar_slope(x, power=1),
+            "The sign is right now. But the changes with the place have r³ below; you left only r.",
+        ),
+        "sign of the last entry": (
+            lambda x: radar_slope(x, sign=1) * np.array([[1, 1, 1, 1], [1, 1, 1, -1]]),
+            "You turned the sign of the last entry, y/r, which was right. Compare entry by entry with `jacobian(radar, x)`.",
+        ),
+        "sign of x/r": (
+            lambda x: radar_slope(x, sign=1) * np.array([[1, 1, 1, 1], [1, -1, 1, 1]]),
+            "You turned the sign of x/r in the second row, which was right. Compare entry by entry with `jacobian(radar, x)`.",
+        ),
+        "sign in the first row": (
+            lambda x: radar_slope(x, sign=1) * np.array([[1, 1, -1, 1], [1, 1, 1, 1]]),
+            "You changed the first row, the slope of the distance. It was right; look in the second.",
+        ),
+        "second row only": (
+            lambda x: radar_slope(x)[1],
+            "That is the second row alone. The radar measures two things, so two rows are wanted.",
+        ),
+        "the difference": (
+            lambda x: radar_slope(x) - radar_slope(x, sign=1),
+            "That is the difference of the two. It shows where the fault is; return the right Jacobian itself.",
         ),
     },
     "mended_prediction": {
@@ -170,6 +129,30 @@ WRONG = {
             lambda x, P, u: (x, growth_slope(x) ** 2 * P + 10),
             "P is right, but the mean has stayed where it was: it moves to `move(x, u)`.",
         ),
+        "swapped": (
+            lambda x, P, u: (growth_slope(x) ** 2 * P + 10, grown(x, u)),
+            "Both are right, in the wrong order: first the mean, then its variance.",
+        ),
+        "root of Q": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P + np.sqrt(10)),
+            "You added the root of 10. Q = 10 is the variance of the disturbance already.",
+        ),
+        "input taken off": (
+            lambda x, P, u: (grown(x, u), growth_slope(x - u) ** 2 * P + 10),
+            "You shifted the place of the slope by u. The belief to be moved stands at the old x, whatever the input is.",
+        ),
+        "P squared": (
+            lambda x, P, u: (grown(x, u), (growth_slope(x) * P) ** 2 + 10),
+            "You squared P as well: only F stands twice, P once in the middle.",
+        ),
+        "not stretched": (
+            lambda x, P, u: (grown(x, u), P + 10),
+            "The mean is right. P must be stretched by the curve: F on both sides, then + 10.",
+        ),
+        "Q = 1": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P + 1),
+            "The slope is right now. The reading's variance is 1, but the disturbance of the move has Q = 10.",
+        ),
     },
     "true_starts": {
         "as published": (
@@ -207,6 +190,22 @@ WRONG = {
         "transposed": (
             lambda mean, P0, normal: (mean + normal * np.sqrt(np.diag(P0))).T,
             "The numbers are right, but turned on their side: one row a run, one column a state.",
+        ),
+        "the same wrong place": (
+            lambda mean, P0, normal: mean + normal[0] * np.sqrt(np.diag(P0)),
+            "You use the first row of `normal` only. Each run has a row of its own: multiply the whole array.",
+        ),
+        "σ added": (
+            lambda mean, P0, normal: mean + np.sqrt(np.diag(P0)),
+            "Every run would start one σ away, always on the same side, and `normal` is not used. Multiply each σ by its random number.",
+        ),
+        "variance squared": (
+            lambda mean, P0, normal: mean + normal * np.diag(P0) ** 2,
+            "You squared the variances. A standard deviation is the root of a variance.",
+        ),
+        "mean multiplied": (
+            lambda mean, P0, normal: mean * normal * np.sqrt(np.diag(P0)),
+            "You multiplied the mean as well. Stretch the random numbers, then add the mean.",
         ),
     },
 }

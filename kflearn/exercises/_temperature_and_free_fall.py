@@ -2,14 +2,6 @@
 
 import numpy as np
 
-from kflearn import rmse
-
-
-def compared(x, one, other, cov, keep=slice(None), entry=1, root=np.sqrt, states=0):
-    """A report with some of its details chosen."""
-    errors = (rmse(way[keep][..., states], x[keep][..., states]) for way in (one, other))
-    return *errors, root(cov[keep][-1, entry, entry])
-
 
 def step(x, P, reading, Q, R):
     """One step of the random walk's filter: the estimate, its variance, its predicted variance."""
@@ -25,60 +17,30 @@ def loop(x, P, z, Q, R):
     return x, P
 
 
+def grows(z, Q, R):
+    """The loop without (1 − K)P."""
+    x, P = z[0], R
+    for reading in z[1:]:
+        P = P + Q
+        x = x + P / (P + R) * (reading - x)
+    return x, P
+
+
+def late_prediction(z, Q, R):
+    """The loop with the prediction at its end."""
+    x, P = z[0], R
+    for reading in z[1:]:
+        x, P = x + P / (P + R) * (reading - x), P * R / (P + R) + Q
+    return x, P
+
+
+def all_estimates(z, Q, R):
+    """The estimates after each reading, and the last variance."""
+    found = [loop(z[0], R, z[1:k], Q, R) for k in range(1, len(z) + 1)]
+    return np.array([x for x, _ in found]), found[-1][1]
+
+
 WRONG = {
-    "honest_report": {
-        "as published": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov, entry=0, root=lambda v: v),
-            "That is the published report again: it counts underground, leaves out ignoring, and prints the height's variance.",
-        ),
-        "not cut": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov),
-            "You compare with the right thing, but still count underground: keep only moments with x[:, 0] > 0.",
-        ),
-        "compared with raw": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov, x[:, 0] > 0),
-            "The second number is the error of the raw readings. This filter beats them and still does harm: compare with `ignored`.",
-        ),
-        "height's entry": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, entry=0),
-            "The third number is σ of the *height*: cov[…, 0, 0]. The velocity is the second state, entry [1, 1].",
-        ),
-        "variance": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, root=lambda v: v),
-            "The right entry, but it is a variance, in m²/s²; σ is its root.",
-        ),
-        "last of all": (
-            lambda x, z, mean, ignored, cov: (
-                *compared(x, mean, ignored, cov, x[:, 0] > 0)[:2],
-                np.sqrt(cov[-1, 1, 1]),
-            ),
-            "The errors are right. But σ is that of the very last moment, deep underground: take the last one above.",
-        ),
-        "below": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] <= 0),
-            "You kept what lies underground and threw away the rest.",
-        ),
-        "both states": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, states=slice(None)),
-            "Your errors mix metres with metres per second: take the height alone, column 0.",
-        ),
-        "swapped": (
-            lambda x, z, mean, ignored, cov: compared(x, ignored, mean, cov, x[:, 0] > 0),
-            "The two errors have changed places: first the filter's, then that of ignoring.",
-        ),
-        "filter against prediction": (
-            lambda x, z, mean, ignored, cov: (
-                rmse(mean[x[:, 0] > 0, 0], x[x[:, 0] > 0, 0]),
-                rmse(mean[x[:, 0] > 0, 0], ignored[x[:, 0] > 0, 0]),
-                np.sqrt(cov[x[:, 0] > 0][-1, 1, 1]),
-            ),
-            "The second number compares the filter with the prediction. Compare the prediction with the truth.",
-        ),
-        "velocity error": (
-            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, states=1),
-            "Those are the errors of the velocity; the height was asked for, column 0.",
-        ),
-    },
     "mended_step": {
         "as published": (
             lambda x, P, room, reading, Q, R: (
@@ -119,7 +81,7 @@ WRONG = {
                 reading + (P + Q) / (P + Q + R) * (x - reading),
                 np.sqrt(step(x, P, reading, Q, R)[1]),
             ),
-            "K and 1 − K have changed places in the correction: start at the prediction and walk the fraction K towards the reading.",
+            "K and 1 − K have changed places in the correction: start at the prediction and move by the fraction K towards the reading.",
         ),
         "average of truth and reading": (
             lambda x, P, room, reading, Q, R: (
@@ -134,6 +96,25 @@ WRONG = {
                 np.sqrt(step(x, P, reading, Q, R)[1]),
             ),
             "The innovation has the wrong sign: your estimate walks away from the reading.",
+        ),
+        "twice the deviation": (
+            lambda x, P, room, reading, Q, R: (step(x, P, reading, Q, R)[0], 2 * np.sqrt(step(x, P, reading, Q, R)[1])),
+            "The estimate is right. The second number is 2σ, half the width of a band; asked is one standard deviation.",
+        ),
+        "results swapped": (
+            lambda x, P, room, reading, Q, R: (np.sqrt(step(x, P, reading, Q, R)[1]), step(x, P, reading, Q, R)[0]),
+            "Both are right, in the wrong order: first the estimate, then its deviation.",
+        ),
+        "reading minus truth": (
+            lambda x, P, room, reading, Q, R: (
+                x + (P + Q) / (P + Q + R) * (reading - room),
+                np.sqrt(step(x, P, reading, Q, R)[1]),
+            ),
+            "You subtract the true temperature from the reading. The innovation is the reading minus what the filter expects, x.",
+        ),
+        "K for 1 − K in P": (
+            lambda x, P, room, reading, Q, R: (step(x, P, reading, Q, R)[0], np.sqrt((P + Q) ** 2 / (P + Q + R))),
+            "The estimate is right. In the variance you took K; what is left after a reading is the part 1 − K.",
         ),
     },
     "room_filter": {
@@ -155,7 +136,7 @@ WRONG = {
         ),
         "certain": (
             lambda z, Q, R: loop(z[0], 0.0, z[1:], Q, R),
-            "P = 0 says that the first reading is exact: worse than the published start.",
+            "P = 0 says that the first reading is exact: the second reading would hardly count.",
         ),
         "R + Q": (
             lambda z, Q, R: loop(z[0], R + Q, z[1:], Q, R),
@@ -173,6 +154,39 @@ WRONG = {
             lambda z, Q, R: (z[0], R),
             "That is the start alone: the other readings are still to be filtered.",
         ),
+        "starts at 0": (
+            lambda z, Q, R: loop(0.0, R, z, Q, R),
+            "You start at 0 °C, as sure as of a reading. The first reading is the start: x = z[0], P = R.",
+        ),
+        "P does not shrink": (
+            lambda z, Q, R: (grows(z, Q, R)[0], grows(z, Q, R)[1]),
+            "P grows by Q at each step and never shrinks. After each correction it is multiplied by 1 − K.",
+        ),
+        "Q after the correction": (
+            late_prediction,
+            "You add Q after the correction, so the first gain misses it and the last P has it too much. Predict first, then correct.",
+        ),
+        "P starts at 1": (
+            lambda z, Q, R: loop(z[0], 1.0, z[1:], Q, R),
+            "You start with P = 1, whatever the sensor is. The first reading is as good as its variance.",
+        ),
+        "Q and R swapped": (
+            lambda z, Q, R: loop(z[0], Q, z[1:], R, Q),
+            "You exchanged Q and R: Q is added in the prediction, R stands in the gain and at the start.",
+        ),
+        "Q and R swapped, start right": (
+            lambda z, Q, R: loop(z[0], R, z[1:], R, Q),
+            "The start is right. In the loop you exchanged Q and R: Q is added in the prediction, R stands in the gain.",
+        ),
+        "scatter of z": (
+            lambda z, Q, R: loop(z[0], np.var(z) if len(z) > 1 else 2 * R, z[1:], Q, R),
+            "You started with the scatter of the whole series. At the first reading nothing of it is known, but the sensor's variance is.",
+        ),
+        "a deviation at the end": (
+            lambda z, Q, R: (loop(z[0], R, z[1:], Q, R)[0], np.sqrt(loop(z[0], R, z[1:], Q, R)[1])),
+            "The estimate is right. The second number is a standard deviation; here the variance is asked for.",
+        ),
+        "all estimates": (all_estimates, "These are all estimates, one for each reading; the last one was asked for."),
     },
     "noise": {
         "as published": (
@@ -210,6 +224,22 @@ WRONG = {
         "reshaped": (
             lambda normal, Q: (np.sqrt(Q) @ normal).T.ravel().reshape(2, -1),
             "Read down the columns and refilled along the rows: height and velocity are mixed up.",
+        ),
+        "one σ for both": (
+            lambda normal, Q: np.sqrt(Q[0, 0]) * normal,
+            "You stretched both rows by the height's deviation. The second row is the velocity's: the root of the second entry of Q.",
+        ),
+        "added up": (
+            lambda normal, Q: np.sqrt(np.diag(Q)) @ normal,
+            "You added height's and velocity's noise to one row. Each keeps its own row: stretch them separately.",
+        ),
+        "first step only": (
+            lambda normal, Q: (np.sqrt(Q) @ normal)[:, 0],
+            "That is the noise of the first step alone; all N columns are wanted.",
+        ),
+        "root of the noise": (
+            lambda normal, Q: np.sqrt(Q @ normal),
+            "You took the root of Q times the numbers. The root is of Q alone; the numbers keep their signs.",
         ),
     },
 }

@@ -23,8 +23,8 @@ def repairs(prediction, update):
 
 
 def differences(rng):
-    """A difference of two bearings, one of which may have gone round twice."""
-    return (float(rng.integers(-7190, 7190) / 10),)
+    """A difference of two bearings, one of which may have gone round several times; never half a turn."""
+    return (float(rng.integers(-1440, 1440)) + 0.5,)
 
 
 @exercise(
@@ -37,6 +37,7 @@ def differences(rng):
     rtol=1e-9,
     atol=1e-9,
     wrong=WRONG["wrap"],
+    then="Half a turn is the one difference with two right answers: 180 and −180 are equally far.",
 )
 def wrap(difference):
     """The same difference of two bearings (degrees), written between −180 and 180."""
@@ -45,7 +46,11 @@ def wrap(difference):
 
 def stuck_rates(rng):
     """A rate that never changes, a gain, a time step."""
-    return float(rng.integers(-60, 60)), float(rng.integers(1, 10) / 10), float(rng.integers(1, 11) / 10)
+    return (
+        float(rng.integers(1, 60) * rng.choice([-1, 1])),
+        float(rng.integers(1, 10) / 10),
+        float(rng.integers(1, 11) / 10),
+    )
 
 
 @exercise(
@@ -56,6 +61,7 @@ def stuck_rates(rng):
     ],
     inputs=stuck_rates,
     wrong=WRONG["offset"],
+    then="For the golden gain 0.618 the factor (1 − K)/K is 0.618 as well. What does the offset become when K nears 1?",
 )
 def offset(x1, K, dt):
     """Where a filter with gain K for the angle and none for the rate rests, above the truth, when its rate is stuck at x1."""
@@ -63,9 +69,9 @@ def offset(x1, K, dt):
 
 
 def beliefs(rng):
-    """A covariance of angle and rate, a Q, and a time step."""
-    root = rng.integers(1, 5, (2, 2)) / 2
-    return root @ root.T + np.eye(2), np.diag(rng.integers(1, 9, 2) / 10), float(rng.integers(1, 11) / 10)
+    """A covariance of angle and rate, a Q with corners, and a time step."""
+    root, jolts = rng.integers(1, 5, (2, 2)) / 2, rng.integers(1, 5, (2, 2)) / 4
+    return root @ root.T + np.eye(2), jolts @ jolts.T, float(rng.integers(1, 11) / 10)
 
 
 @exercise(
@@ -76,18 +82,24 @@ def beliefs(rng):
     ],
     inputs=beliefs,
     wrong=WRONG["right_prediction"],
+    then="From a symmetric P comes a symmetric one. The published prediction fails this test, which takes one line.",
+    fixed={
+        "P": "the state is an angle and its rate, so it is always two by two",
+        "Q": "the state is an angle and its rate, so it is always two by two",
+    },
 )
 def right_prediction(P, Q, dt):
-    """The covariance of angle and rate one step of dt later."""
+    """The covariance of angle and rate one step of dt later. Q is any covariance (2, 2), with corners too."""
     F = np.array([[1, dt], [0, 1]])
     return F @ P @ F.T + Q
 
 
 def gains(rng):
-    """A predicted covariance, and the gain that goes with it and some R."""
+    """A matrix that need not be symmetric (the published prediction makes such), and any gain, not the best one."""
     root = rng.integers(1, 5, (2, 2)) / 2
     P = root @ root.T + np.eye(2)
-    return P, P[:, 0] / (P[0, 0] + rng.integers(1, 9) / 2)
+    P[1, 0] += rng.integers(1, 9) / 4
+    return P, rng.integers(1, 8, 2) / 8
 
 
 @exercise(
@@ -98,7 +110,12 @@ def gains(rng):
     ],
     inputs=gains,
     wrong=WRONG["right_update"],
+    then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 11.",
+    fixed={
+        "P": "the state is an angle and its rate, so it is always two by two",
+        "K": "a state of angle and rate has two gains",
+    },
 )
 def right_update(P, K):
-    """What a correction with the gain K (two numbers) leaves of P, when the angle is measured: H = [1, 0]."""
+    """(I − KH)P for H = [1, 0] and any gain K of two numbers; P (2, 2) need not be symmetric."""
     return (np.eye(2) - np.outer(K, [1, 0])) @ P

@@ -22,6 +22,7 @@ def offsets(rng):
     ],
     inputs=offsets,
     wrong=WRONG["mended_bearing"],
+    then="NumPy has the whole function: arctan2 was made for this, and it also bears an east of 0. Which bearing has a target due south?",
 )
 def mended_bearing(east, north):
     """The bearing of a target (rad, from 0 to 2π, counted from east towards north), `east` and `north` of a station."""
@@ -48,6 +49,7 @@ def mended_bearing(east, north):
             "How fast a target moves does not change where it is seen now. The zeros are right.",
         ),
     },
+    then="(d): the gradient of a bearing is (−north, east)/distance², per metre. Only the name in the code is wrong: `distance` is a square.",
 )
 def review():
     """Which of the four reviewers of the published Jacobian is right?"""
@@ -62,6 +64,7 @@ def review():
     ],
     inputs=lambda rng: (float(rng.integers(1, 400) / 100),),
     wrong=WRONG["bearing_variance"],
+    then="For 0.1° it is 3·10⁻⁶ rad². The published number makes a sensor of 2.4° of it, so its filter used good readings far too little.",
 )
 def bearing_variance(sd):
     """R (rad²) of a sensor whose bearings scatter with the standard deviation `sd`, in degrees."""
@@ -97,8 +100,31 @@ def bearing_variance(sd):
         ),
         "half": ((1.5, -1), "Twice as far away, the twin must move faster, not more slowly, to keep the same bearing."),
         "half, relative": ((4.5, -1), "Twice as far away, the relative velocity doubles; you have halved it."),
+        "doubled, ours not": (
+            (12, -4),
+            "You doubled the target's own velocity and added ours. The relative one, target minus ours, is what doubles.",
+        ),
+        "both added": ((9, -2), "You added the two velocities. The relative velocity is the target's minus ours."),
+        "sign": (
+            (0, 4),
+            "The sign of the second number: relative is target minus ours, −2 − 0 to the north. It doubles and keeps its sign.",
+        ),
+        "east and north swapped": ((-4, 0), "You exchanged east and north: east comes first."),
+        "ours counted twice": (
+            (6, -2),
+            "Only the east part has been doubled. Both parts of the relative velocity, (−3, −2), double.",
+        ),
+        "not doubled in the north": (
+            (0, -2),
+            "East is right. The north part of the relative velocity, −2, doubles as well.",
+        ),
+        "sum doubled": (
+            (18, -4),
+            "You added the velocities and doubled the sum. Take the target's minus ours, double it, then add ours.",
+        ),
     },
     unit="m/s",
+    then="Every distance has such a twin. Only when we change our own velocity do the twins separate: that is why the ship must turn.",
 )
 def twin_velocity():
     """The own velocity (east, north) of the target twice as far away that shows the same bearings."""

@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises import _false_range
 from kflearn.exercises._homing_missile import WRONG
+from kflearn.exercises._turns import sized
 from kflearn.exercises.engine import exercise
 
 
@@ -23,6 +25,7 @@ def errors_on_the_way(rng):
     ],
     inputs=errors_on_the_way,
     wrong=WRONG["left_over"],
+    then="An error at rest (v = 0) of 100 m with 3 s to go is 48 m with 1 s to go, with no reading at all: that is the artefact.",
 )
 def left_over(e, v, t0, t):
     """The error (m) with t seconds to go, when with t0 seconds to go it is e (m) and its velocity v (m/s); blind."""
@@ -44,6 +47,7 @@ def manoeuvres(rng):
     ],
     inputs=manoeuvres,
     wrong=WRONG["memory"],
+    then="For short steps the noise is 2·sd²·dt/lasts: half the step, half the variance, so that the result does not depend on dt.",
 )
 def memory(lasts, sd, dt):
     """The part of an acceleration that survives a step of dt, and the noise variance that keeps its standard deviation."""
@@ -90,8 +94,31 @@ def memory(lasts, sd, dt):
             lambda: math.hypot(500, 300, 40) * math.sqrt(3),
             "You multiplied by √3 where you should divide: that σ makes the NEES a third.",
         ),
+        "root of the mean error": (
+            lambda: 100 * math.sqrt(3 / 34),
+            "You went the wrong way: the errors are larger than claimed, so σ must grow, by the root of 34/3.",
+        ),
+        "a third": (
+            lambda: 34 / 3,
+            "That is how many times too large the NEES is. σ grows by its root, beginning at 100 m.",
+        ),
+        "two axes": (lambda: math.sqrt((500**2 + 300**2) / 2), "You averaged over two axes. There are three."),
+        "σ of the largest error": (
+            500,
+            "You took the largest error for σ. All three axes count: the mean of their squares.",
+        ),
+        "half of the sum of squares": (
+            lambda: math.hypot(500, 300, 40) / 2,
+            "You divided the length by 2. Three axes share the squared length.",
+        ),
+        "100 times 34/3, rounded": (
+            lambda: 100 * 34 / 3,
+            "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
+        ),
     },
     unit="m",
+    rtol=3e-3,
+    then="Its square is the mean of the three squared errors. And one start proves little: NEES of a single start may be anything from 0.2 to 9.",
 )
 def start_sigma():
     """The σ (m) on each axis that makes the NEES of a position error of (−500, −300, −40) m equal to 3."""
@@ -110,7 +137,8 @@ def needles(rng):
         "`H = np.sin(np.radians(turn))`, and `return 1 / np.sqrt(1 / sigma**2 + H**2 / across**2)`.",
     ],
     inputs=needles,
-    wrong=WRONG["false_range"],
+    wrong=_false_range.WRONG["false_range"],
+    then="With 400 m, 2.27° and 4.01 m it is 98 m: three quarters of σ are gone, after one reading that never measured the range.",
 )
 def false_range(sigma, turn, across):
     """What is left of a needle's sigma (m) after a reading across a line turned by `turn` degrees, good to `across` m."""
@@ -118,9 +146,9 @@ def false_range(sigma, turn, across):
     return sigma * across / np.sqrt((sigma * H) ** 2 + across**2)
 
 
-def some_errors(rng):
+def some_errors(rng, shape):
     """Errors of a few runs, steps and nine states."""
-    return (rng.integers(-9, 10, (4, 5, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
+    return (rng.integers(-9, 10, (*shape, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
 
 
 @exercise(
@@ -129,8 +157,9 @@ def some_errors(rng):
         "The squared length of the position error is the sum of its three squares. Velocity has indices 3 to 5, acceleration 6 to 8.",
         "`return [np.sqrt(np.mean(np.sum(error[..., k : k + 3] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)]`.",
     ],
-    inputs=some_errors,
+    inputs=sized(some_errors, (2, 3), (4, 5), (3, 2), (1, 4)),
     wrong=WRONG["figures"],
+    then="Of the three axes together; for one axis, if they are alike, divide by √3. The root comes last: means of distances are smaller.",
 )
 def figures(error):
     """The root mean square errors of position, velocity and acceleration, (3, T), of errors (runs, T, 9)."""

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._turns import sized
 from kflearn.exercises.engine import exercise
 
 
@@ -48,7 +49,40 @@ def corrections(rng):
             lambda P, K, R, claim: (((1 - K) ** 2 * P + K**2 * R) / claim) ** 0.5,
             "That is a ratio of standard deviations. NEES compares squares: leave the root out.",
         ),
+        "not divided": (
+            lambda P, K, R, claim: (1 - K) ** 2 * P + K**2 * R,
+            "That is the mean squared error, as Joseph's form gives it. NEES is that, divided by the variance that the filter claims.",
+        ),
+        "one": (
+            lambda P, K, R, claim: 1.0,
+            "1 would be the answer if the claim were honest. Here it is any number: work out the mean squared error first.",
+        ),
+        "P over claim": (
+            lambda P, K, R, claim: P / claim,
+            "You divided the predicted variance. The error that is tested is the one after the correction with K.",
+        ),
+        "claim squared": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + K**2 * R) / claim**2,
+            "The numerator is right. `claim` is a variance already: divide by it once.",
+        ),
+        "the best gain": (
+            lambda P, K, R, claim: P * R / (P + R) / claim,
+            "You used the best gain, P/(P + R). The filter uses the K that is handed in.",
+        ),
+        "K of R not squared": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + K * R) / claim,
+            "The first half is right. The reading's error is multiplied by K, so its variance by K².",
+        ),
+        "K and 1 − K swapped": (
+            lambda P, K, R, claim: (K**2 * P + (1 - K) ** 2 * R) / claim,
+            "K and 1 − K have changed places: the state's error is multiplied by 1 − K, the reading's by K.",
+        ),
+        "plain, upside down": (
+            lambda P, K, R, claim: claim / ((1 - K) * P),
+            "Two things: NEES is the error by the claim, not upside down; and (1 − K)P is the variance for the best gain only.",
+        ),
     },
+    then="With the best gain K = P/(P + R) the numerator is (1 − K)P again, and an honest claim makes the NEES 1.",
 )
 def average_nees(P, K, R, claim):
     """The average NEES of a filter of one state (H = 1) that uses the gain K and claims the variance `claim`."""
@@ -87,17 +121,40 @@ def average_nees(P, K, R, claim):
             lambda orders: 10 ** (orders / 2),
             "That is the ratio of the largest to the smallest number; asked is how many powers of ten it is.",
         ),
+        "half, and cut off": (lambda orders: orders // 2, "`//` cuts off the half: for 9 orders the root spans 4.5."),
+        "five fewer": (
+            lambda orders: orders - 5,
+            "That is right for ten orders, as in the lesson, and for no other number.",
+        ),
+        "a quarter": (lambda orders: orders / 4, "You halved twice. One root halves the exponent once."),
+        "five": (
+            lambda orders: 5.0 + 0 * orders,
+            "5 is right for the ten orders of the lesson. The function is to answer for any number of orders.",
+        ),
+        "squared": (
+            lambda orders: orders**2,
+            "You squared the count. Taking the root of 10ⁿ changes the exponent n; into what?",
+        ),
+        "logarithm": (
+            lambda orders: np.log10(orders) / 2,
+            "`orders` is the exponent already, so no logarithm is needed.",
+        ),
     },
+    then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):
     """How many powers of ten a root of P spans, when P spans `orders` of them."""
     return orders / 2
 
 
-def two_roots(rng):
-    """Roots of a covariance before and after a correction, lower triangular; which comes first is chance."""
-    before = np.tril(rng.integers(1, 7, (2, 2))).astype(float)
-    after = before * rng.choice([-0.75, -0.5, 0.25, 0.5], 2)
+def two_roots(rng, n):
+    """Roots of a covariance before a reading and after it, triangular, with any signs; which comes first is chance."""
+    before = np.tril(rng.integers(-3, 4, (n, n)), -1) + np.diag(rng.integers(2, 7, n)) * rng.choice([-1.0, 1.0], n)
+    h, R = rng.integers(1, 4, n) * rng.choice([-1, 1], n), rng.integers(1, 9) / 4
+    seen = before.T @ h  # Potter's correction: the reading is h times the state, its variance R
+    S = seen @ seen + R
+    after = before - np.outer(before @ seen, seen) / (S + np.sqrt(R * S))
+    after = np.linalg.cholesky(after @ after.T) * rng.choice([-1.0, 1.0], n)
     return (before, after) if rng.random() < 0.5 else (after, before)
 
 
@@ -113,7 +170,7 @@ def smaller(first, second):
         "Root times transposed root, in this order: L Lᵀ.",
         "`P, other = one @ one.T, two @ two.T`, then `return P if np.trace(P) < np.trace(other) else other`",
     ],
-    inputs=two_roots,
+    inputs=sized(two_roots, 2, 3, 4, 1),
     wrong={
         "as published": (
             lambda one, two: one @ one.T,
@@ -147,7 +204,28 @@ def smaller(first, second):
             lambda one, two: smaller(one * one, two * two),
             "You squared each element; `*` is not the matrix product `@`.",
         ),
+        "the roots' traces": (
+            lambda one, two: one @ one.T if np.trace(one) < np.trace(two) else two @ two.T,
+            "You compared the traces of the *roots*. A root may have minus signs, so its trace says little: compare the traces of L Lᵀ.",
+        ),
+        "smaller entries": (
+            lambda one, two: np.minimum(one @ one.T, two @ two.T),
+            "You took the smaller number entry by entry: that mixes two matrices. Choose one of the two as a whole.",
+        ),
+        "difference": (
+            lambda one, two: one @ one.T - two @ two.T,
+            "That is what the reading has taken away, or its negative. Asked is what is left: one of the two products.",
+        ),
+        "first entry of the roots": (
+            lambda one, two: one @ one.T if one[0, 0] < two[0, 0] else two @ two.T,
+            "You compared the first entries of the *roots*, which may have minus signs. Square them first: compare variances.",
+        ),
+        "sum of the roots": (
+            lambda one, two: one @ one.T if one.sum() < two.sum() else two @ two.T,
+            "You compared the sums of the *roots*, which may have minus signs. Compare the sizes of L Lᵀ, its trace.",
+        ),
     },
+    then="The trace decides because a reading makes no variance larger, whatever H and R are. A prediction may.",
 )
 def posterior(one, two):
     """The covariance after the reading, from two roots: one of the covariance before the reading, one of that after."""

@@ -3,7 +3,9 @@
 import numpy as np
 
 from kflearn import rmse
+from kflearn.exercises import _falling_report
 from kflearn.exercises._temperature_and_free_fall import WRONG
+from kflearn.exercises._turns import sized
 from kflearn.exercises.engine import exercise
 
 
@@ -22,6 +24,8 @@ def rooms(rng):
     ],
     inputs=rooms,
     wrong=WRONG["mended_step"],
+    fixed={"room": "the truth, at which the right step does not look"},
+    then="With the truth in place of the reading the error looks smaller than any filter can make it: no real room tells its temperature.",
 )
 def mended_step(x, P, room, reading, Q, R):
     """One step of the random walk's filter: the estimate and its standard deviation. `room` is the truth."""
@@ -31,9 +35,9 @@ def mended_step(x, P, room, reading, Q, R):
     return x, np.sqrt((1 - K) * P)
 
 
-def days(rng):
-    """A short series of readings, Q and R."""
-    z = rng.integers(220, 280, int(rng.integers(3, 7))) / 10
+def days(rng, count):
+    """A short series of readings, once a single one; Q and R."""
+    z = rng.integers(220, 280, count) / 10
     Q, R = (float(value) for value in rng.integers(1, 60, 2) / 100)
     return z, Q, R
 
@@ -44,8 +48,9 @@ def days(rng):
         "Start with the variance of a reading, R. The first reading is used up by the start: the loop runs over `z[1:]`.",
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
-    inputs=days,
+    inputs=sized(days, 3, 6, 4, 1, 9),
     wrong=WRONG["room_filter"],
+    then="x = 0 and P = 10⁶ with a loop over all readings give nearly the same: a start that vague takes over the first reading, with P = R.",
 )
 def room_filter(z, Q, R):
     """The random walk's filter over the series z, started at its first reading: the last estimate and its variance."""
@@ -78,15 +83,17 @@ def room_filter(z, Q, R):
             "With R too large the NIS would lie below 1, and the innovations would average zero.",
         ),
     },
+    then="A wrong R leaves innovations even on both sides. Only a wrong g pushes them all to one, and since too large a g lets "
+    "the expected stone fall too fast, the readings lie above: plus.",
 )
 def suspect():
     """Innovations of +1.5 m on average in the last second, NIS 1.7: what is the filter of a falling stone told wrongly?"""
     return "g too large"
 
 
-def draws(rng):
+def draws(rng, steps):
     """Standard normal numbers for two states, and a diagonal Q."""
-    return rng.normal(size=(2, int(rng.integers(3, 7)))).round(2), np.diag(rng.integers(1, 30, 2) / 100)
+    return rng.normal(size=(2, steps)).round(2), np.diag(rng.integers(1, 30, 2) / 100)
 
 
 @exercise(
@@ -95,17 +102,18 @@ def draws(rng):
         "Stretch the first row by the root of Q₁₁ and the second by the root of Q₂₂; leave the array (2, N).",
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
-    inputs=draws,
+    inputs=sized(draws, 3, 5, 2, 1, 6),
     wrong=WRONG["noise"],
+    fixed={"Q": "height and velocity are two states, so Q is always two by two"},
+    then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
 )
 def noise(normal, Q):
     """Noise with the diagonal covariance Q for N steps, (2, N), from standard normal numbers (2, N)."""
     return np.sqrt(Q) @ normal
 
 
-def published_falls(rng):
+def published_falls(rng, T):
     """A fall that goes underground: truth, readings, estimates, states predicted without readings, covariances."""
-    T = int(rng.integers(6, 9))
     x = np.stack([20 - np.arange(T) ** 2 * rng.integers(12, 30) / 10 + 0.25, -np.arange(T, dtype=float)], axis=1)
     noisy = x[:, None] + rng.integers(-20, 20, (T, 3, 2)) / 10 + 0.05
     variances = rng.integers(1, 90, (T, 2)) / 10
@@ -119,8 +127,10 @@ def published_falls(rng):
         "`above = x[:, 0] > 0` chooses the moments, as in `mean[above, 0]`. The velocity is state 1; the ± of a number is a root.",
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
-    inputs=published_falls,
-    wrong=WRONG["honest_report"],
+    inputs=sized(published_falls, 6, 8, 7, 10),
+    wrong=_falling_report.WRONG["honest_report"],
+    fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
+    then="Always print what ignoring gives beside the filter's error: it is the line that the published report leaves out.",
 )
 def honest_report(x, z, mean, ignored, cov):
     """Errors (rms, m) of the height while it is truly above 0: filter's, and when all readings are ignored; then σ of the velocity at the last such moment."""

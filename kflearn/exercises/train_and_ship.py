@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises import _two_fixes
 from kflearn.exercises._train_and_ship import WRONG
+from kflearn.exercises._turns import sized
 from kflearn.exercises.engine import exercise
 
 
@@ -23,6 +25,7 @@ def speeds(rng):
     ],
     inputs=speeds,
     wrong=WRONG["start_variance"],
+    then="Where the filter starts in the middle of the range, only (high − low)²/12 is left: five, give or take 2.9, for 0 to 10 m/s.",
 )
 def start_variance(low, high, believed):
     """The honest P₂₂ when the speed lies between two limits, all equally likely, and the filter starts at `believed`."""
@@ -30,10 +33,10 @@ def start_variance(low, high, believed):
     return (high - low) ** 2 / 12 + (middle - believed) ** 2
 
 
-def positions(rng):
+def positions(rng, count):
     """Positions of something that moves, and the time between two of them."""
     dt = float(rng.integers(1, 11) / 10)
-    return 50 + np.cumsum(rng.integers(0, 20, int(rng.integers(8, 12))) / 2), dt
+    return 50 + np.cumsum(rng.integers(0, 20, count) / 2), dt
 
 
 @exercise(
@@ -43,8 +46,9 @@ def positions(rng):
         "Five differences in a row add up to one: the average at k is `(z[k] - z[k - 5]) / (5 * dt)`.",
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
-    inputs=positions,
+    inputs=sized(positions, 6, 9, 7, 14),
     wrong=WRONG["running_average"],
+    then="All readings in between cancel, so five differences together scatter by a fifth of one, not by 1/√5 of it.",
 )
 def running_average(z, dt):
     """The average of the last five differences at each reading, in units per second; NaN where five do not exist."""
@@ -53,9 +57,9 @@ def running_average(z, dt):
     return speed
 
 
-def fix_errors(rng):
+def fix_errors(rng, count):
     """Errors of fixes, east and north (m), with a mean that is not zero."""
-    return (rng.normal([3, -2], [8, 12], (12, 2)).round(1),)
+    return (rng.normal([3, -2], [8, 12], (count, 2)).round(1),)
 
 
 @exercise(
@@ -65,8 +69,9 @@ def fix_errors(rng):
         "`errors.mean(axis=0)`, and the squared distance of a fix is `np.sum(errors**2, axis=1)`.",
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
-    inputs=fix_errors,
+    inputs=sized(fix_errors, 3, 12, 5, 2),
     wrong=WRONG["report"],
+    then="The two need each other: a large mean says that something is biased, and no filter with zero-mean R will remove it.",
 )
 def report(errors):
     """The mean error (east, north) and the root mean square distance of the errors (T, 2) of fixes."""
@@ -114,7 +119,36 @@ def report(errors):
             lambda: 36 * 2 * math.log(2),
             "You multiplied 6 m by 1.18. The radius is the larger number here, σ the smaller: divide.",
         ),
+        "not squared, not divided": (
+            6.0,
+            "That is the radius of the sheet itself. First find σ of one axis, then square it.",
+        ),
+        "rms distance, not squared": (
+            lambda: 6 / math.sqrt(2),
+            "You took 6 m for the rms distance and returned a σ. Half of the fixes lie within 1.18 σ; and R is a variance.",
+        ),
+        "halved": (
+            lambda: 36 / (2 * math.log(2)) / 2,
+            "You halved. But 6 m/1.177 is σ of one axis already, and R is its square.",
+        ),
+        "mean distance of the lesson": (
+            lambda: (60 / 12.5) ** 2,
+            "You took the lesson's 12.5 m, which is the *mean* distance. Which of the four numbers has half of the fixes inside?",
+        ),
+        "half of 6 m as σ": (
+            3.0,
+            "You took half of the radius. R is a variance, and half of the fixes lie within 1.18 σ, not within 2 σ.",
+        ),
+        "half of σ": (
+            lambda: 6 / math.sqrt(2 * math.log(2)) / 2,
+            "You halved σ. R is the square of σ, and σ of one axis is 6 m/1.177.",
+        ),
+        "root of the radius over 1.18": (
+            lambda: 6 / 1.177**2,
+            "You divided by the square of 1.177, and did not square the 6 m. First σ = 6 m/1.177, then the square of it.",
+        ),
     },
+    then="The same receiver could print 7.2 m (rms), 6.4 m (mean) or 12.5 m (95 %): always ask which of them a sheet means.",
 )
 def data_sheet():
     """Half of all fixes lie within 6 m of the truth: which R (m²) for each axis?"""
@@ -136,7 +170,8 @@ def two_fixes(rng):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong=WRONG["two_point_start"],
+    wrong=_two_fixes.WRONG["two_point_start"],
+    then="Half the dt makes the speed's σ twice as large. For a slow ship, two fixes far apart make the better start, until Q counts.",
 )
 def two_point_start(z0, z1, dt, R):
     """Mean and covariance of (position, speed) after two fixes, dt apart, each with variance R."""
