@@ -2,8 +2,11 @@
 
 import numpy as np
 
+from kflearn import angle_difference
 from kflearn.exercises._bearing_of_a_sound import WRONG
-from kflearn.exercises.engine import exercise
+from kflearn.exercises._judge import series
+from kflearn.exercises._speaker import FAILING, PASSING, off, recording
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 def mended_prediction(P, dt, q):
@@ -119,3 +122,53 @@ def gains(rng):
 def right_update(P, K):
     """(I − KH)P for H = [1, 0] and any gain K of two numbers; P (2, 2) need not be symmetric."""
     return (np.eye(2) - np.outer(K, [1, 0])) @ P
+
+
+@judged(
+    hints=[
+        "An echo lasts up to 14 readings, and then the speaker is back. How many readings in a row must a gate refuse, before it gives in?",
+        "The first reading may be an echo. What does the middle value of the first fifteen say?",
+        "Take the lesson's `gated_filter` with Q = 0.5 and R = 9, a patience of 14, and start it at the median of the first fifteen "
+        "readings, taken the short way round: `z[0] + np.median(angle_difference(z[:15], z[0]))`.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "error with one speaker (rms, the short way round)",
+            off(False),
+            high=3,
+            above="Do echoes of 11 to 14 readings pull the estimate? Is the first reading an echo, and believed? "
+            "Is every difference taken the short way round?",
+            unit="°",
+        ),
+        Mark(
+            "error with two speakers (the 30 readings after the change do not count)",
+            off(True),
+            high=3,
+            above="After a change the filter must come to the new speaker within 30 readings: does your gate open again?",
+            unit="°",
+        ),
+    ],
+    form=series,
+    passing=PASSING,
+    failing=FAILING,
+    then="A new speaker is found 15 readings late. No filter can know earlier: until it ends, an echo looks like a new speaker.",
+)
+def speaker(z):
+    """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.
+
+    z (325,): bearings in whole degrees, 0 to 359, ten a second. The speaker walks by 0.15° a reading, past north.
+    Echoes last up to 14 readings, are more than 10° off and can be there from the first reading. In about half of
+    the recordings somebody else, elsewhere, takes over, once. Return the bearings (325,) in degrees; whole turns more or
+    less do not matter.
+    """
+    x = z[0] + np.median(angle_difference(z[:15], z[0]))
+    P, R, Q, refused, found = 9.0, 9.0, 0.5, 0, []
+    for reading in z:
+        P, innovation = P + Q, angle_difference(reading, x)
+        far = innovation**2 > 9 * (P + R)
+        refused = refused + 1 if far else 0
+        K = 1 if refused > 14 else 0 if far else P / (P + R)
+        x, P = x + K * innovation, (1 - K) ** 2 * P + K**2 * R
+        found.append(x)
+    return np.array(found)

@@ -4,8 +4,11 @@ import numpy as np
 
 from kflearn import chi_square_interval
 from kflearn.exercises._is_the_filter_honest import WRONG
+from kflearn.exercises._judge import inside, rms, track
+from kflearn.exercises._judge import nees as nees_of_all
 from kflearn.exercises._turns import sized
-from kflearn.exercises.engine import exercise
+from kflearn.exercises._unknown_sensor import FAILING, PASSING, honest_share, recording
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 @exercise(
@@ -111,3 +114,69 @@ def start_beliefs(rng, n):
 def draw_start(mean, variances, normal):
     """A start drawn from N(mean, diag(variances)), made of standard normal random numbers."""
     return mean + np.sqrt(variances) * normal
+
+
+@judged(
+    hints=[
+        "The lesson's filter with any R gives innovations. What would their NIS be on average, if R were right?",
+        "With R too small the average NIS is above 1, with R too large below 1. Try some R, or multiply R by the average NIS "
+        "and run again. Or look at the readings alone: the ship hardly turns in two seconds, so what do second differences hold?",
+        "`np.diff(z, 2)` is z₂ − 2z₁ + z₀: its variance is R + 4R + R = 6R, for the ship itself adds hardly anything.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "position error (rms)",
+            rms(0),
+            high=7.5,
+            above="That is more than a filter with the right R needs. Does each recording get an R of its own?",
+            unit="m",
+        ),
+        Mark(
+            "true position inside ±2σ",
+            inside(0),
+            90,
+            98,
+            below="The claim is too small: is R the variance, and does every recording get its own?",
+            above="The claim is too large: fewer would be inside with an honest σ.",
+            unit="%",
+        ),
+        Mark(
+            "NEES / n",
+            nees_of_all(),
+            0.75,
+            1.35,
+            below="Too modest: the squared errors are smaller than claimed. Is your R too large?",
+            above="Too sure: the squared errors are larger than claimed. Is your R too small in some recordings?",
+        ),
+        Mark(
+            "recordings whose own NEES / n is between 0.4 and 2.5",
+            honest_share(0.4, 2.5),
+            low=80,
+            below="A mean over all recordings can hide this: some are too sure, others too modest. Find R for each.",
+            unit="%",
+        ),
+    ],
+    form=track(2),
+    passing=PASSING,
+    failing=FAILING,
+    then="R was learnt without the truth, from the readings alone. Could the same have been done for Q?",
+)
+def unknown_sensor(z):
+    """Write a filter `(z) → mean, covariance` that finds out how accurate its sensor is.
+
+    z (100,): readings of a ship's position east in metres, one a second. Their standard deviation is the same through a
+    recording, and different in each: anything from 2 to 40 m. The state is position and speed, F = [[1, 1], [0, 1]],
+    Q = diag(0.005, 0.01), the start one second before the first reading N([0, 0], diag(50², 5²)). Return the means
+    (100, 2) and the covariances (100, 2, 2) after each reading.
+    """
+    R = np.var(np.diff(z, 2)) / 6
+    F, Q, H = np.array([[1, 1], [0, 1]]), np.diag([0.005, 0.01]), np.array([[1.0, 0.0]])
+    x, P, means, covs = np.zeros(2), np.diag([50.0**2, 5.0**2]), [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        K = P @ H.T / (H @ P @ H.T + R)
+        x, P = x + K @ (reading - H @ x), (np.eye(2) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)

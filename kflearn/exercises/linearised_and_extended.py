@@ -2,10 +2,13 @@
 
 import numpy as np
 
+from kflearn import angle_difference
 from kflearn.exercises import _cart_on_a_rail
+from kflearn.exercises._judge import inside, nees, track
 from kflearn.exercises._linearised_and_extended import WRONG
+from kflearn.exercises._radar import FAILING, PASSING, place_error, recording
 from kflearn.exercises._turns import sized
-from kflearn.exercises.engine import exercise
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 def radar_states(rng):
@@ -122,3 +125,73 @@ def linearised_correction(x, P, reading, nominal):
 def winner():
     """Which filter errs less with a start wrong by 100 m and 1 m/s: "LKF", "EKF" or "no difference"?"""
     return "LKF"
+
+
+@judged(
+    hints=[
+        "Two things are measured, so h(x) has two entries and H two rows. Work H out, and test it with the three lines of the lesson.",
+        "A bearing of 3.1 and one of −3.1 are close together. What does their plain difference say?",
+        "H = [[x/r, 0, y/r, 0], [−y/r², 0, x/r², 0]], R = diag(5², 0.02²), and the second innovation goes through "
+        "`angle_difference(…, …, 2 * np.pi)`.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "place error (rms)",
+            place_error(),
+            high=4.6,
+            above="That is more than needed. Test the two rows of H, and take the difference of two bearings the short way round.",
+            unit="m",
+        ),
+        Mark(
+            "true east inside ±2σ",
+            inside(0),
+            91,
+            98.5,
+            below="The claim is too small: is Q added in each step, is R = diag(5², 0.02²)?",
+            above="The claim is too large: are Q and R as given?",
+            unit="%",
+        ),
+        Mark(
+            "true north inside ±2σ",
+            inside(2),
+            91,
+            98.5,
+            below="The claim is too small: is Q added in each step, is R = diag(5², 0.02²)?",
+            above="The claim is too large: are Q and R as given?",
+            unit="%",
+        ),
+        Mark(
+            "NEES / n",
+            nees(),
+            0.8,
+            1.25,
+            below="Too modest: the squared errors are smaller than claimed. Are both measurements used, with the given R?",
+            above="Too sure: the squared errors are larger than claimed. Is H right, is Q added, are bearings subtracted the short way?",
+        ),
+    ],
+    form=track(4),
+    passing=PASSING,
+    failing=FAILING,
+    then="With distance and bearing together the tangents are nearly right, and the filter honest. With the distance alone it was not.",
+)
+def radar(z, mean, cov):
+    """Write a filter `(z, mean, cov) → mean, covariance` for a radar at the origin that measures distance and bearing.
+
+    z (100, 2): distance (m) and bearing (rad, from −π to π, counted from east towards north), one a second, with
+    standard deviations 5 m and 0.02 rad. The state is [east, speed east, north, speed north] in m and m/s, F and Q are
+    the lesson's: `np.kron(np.eye(2), [[1, 1], [0, 1]])` and `np.diag([0.005, 0.01, 0.005, 0.01])`. The start, one second
+    before the first reading, is N(mean, cov), (4,) and (4, 4). Return the means (100, 4) and covariances (100, 4, 4).
+    """
+    F, Q = np.kron(np.eye(2), [[1, 1], [0, 1]]), np.diag([0.005, 0.01, 0.005, 0.01])
+    R, x, P, means, covs = np.diag([5.0**2, 0.02**2]), mean, cov, [], []
+    for distance, bearing in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        r = np.hypot(x[0], x[2])
+        H = np.array([[x[0] / r, 0, x[2] / r, 0], [-x[2] / r**2, 0, x[0] / r**2, 0]])
+        innovation = np.array([distance - r, angle_difference(bearing, np.arctan2(x[2], x[0]), 2 * np.pi)])
+        K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+        x, P = x + K @ innovation, (np.eye(4) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)

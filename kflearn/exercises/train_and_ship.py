@@ -5,9 +5,11 @@ import math
 import numpy as np
 
 from kflearn.exercises import _two_fixes
+from kflearn.exercises._cart_with_gaps import FAILING, PASSING, recording
+from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._train_and_ship import WRONG
 from kflearn.exercises._turns import sized
-from kflearn.exercises.engine import exercise
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 def speeds(rng):
@@ -177,3 +179,71 @@ def two_point_start(z0, z1, dt, R):
     """Mean and covariance of (position, speed) after two fixes, dt apart, each with variance R."""
     mean = np.array([z1, (z1 - z0) / dt])
     return mean, R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])
+
+
+@judged(
+    hints=[
+        "Answer the six headings first: state, F, Q, H, R and the start. Which of them change with dt, sd and sigma?",
+        "In one step the acceleration a moves the position by a·dt²/2 and the speed by a·dt. Q is the covariance of these two.",
+        "Where `z[k]` is NaN, predict and do not correct: `np.isfinite(reading)` tells. Start with position z[0], variance sigma², "
+        "and speed 0, variance 9.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "position error (rms)",
+            rms(0),
+            high=4.4,
+            above="That is more than needed. Is R = sigma²? Does the filter go on by itself in the gaps?",
+            unit="m",
+        ),
+        Mark(
+            "speed error (rms)",
+            rms(1),
+            high=1.25,
+            above="That is more than needed. Does Q contain sd² and dt, does the start know that speeds are within some m/s?",
+            unit="m/s",
+        ),
+        Mark(
+            "true position inside ±2σ",
+            inside(0),
+            92,
+            98,
+            below="The claim is too small: does P grow in the gaps, does Q have sd²?",
+            above="The claim is too large: are Q and R those of the recording?",
+            unit="%",
+        ),
+        Mark(
+            "NEES / n",
+            nees(),
+            0.85,
+            1.2,
+            below="Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?",
+            above="Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?",
+        ),
+    ],
+    form=track(2),
+    passing=PASSING,
+    failing=FAILING,
+    then="The gaps cost most just before they end. `rts_smoother`, in lesson 21, uses the readings behind a gap as well.",
+)
+def cart_with_gaps(z, dt, sd, sigma):
+    """Write a filter `(z, dt, sd, sigma) → mean, covariance` for a cart whose readings fail for a while.
+
+    z (200,): positions in metres, dt seconds apart (0.5, 1 or 2), NaN where there is none, never the first. The
+    acceleration stays the same during a step and is drawn anew for each, with mean 0 and standard deviation sd (m/s²).
+    A reading has the standard deviation sigma (m). The speed at the first reading is drawn from N(0, 3²) (m/s). Return
+    the means (200, 2) and covariances (200, 2, 2) of position and speed at each reading, gaps and the first included.
+    """
+    push = np.array([dt**2 / 2, dt])
+    F, Q, H = np.array([[1, dt], [0, 1]]), sd**2 * np.outer(push, push), np.array([[1.0, 0.0]])
+    x, P = np.array([z[0], 0.0]), np.diag([sigma**2, 9.0])
+    means, covs = [x], [P]
+    for reading in z[1:]:
+        x, P = F @ x, F @ P @ F.T + Q
+        if np.isfinite(reading):
+            K = P @ H.T / (H @ P @ H.T + sigma**2)
+            x, P = x + K @ (reading - H @ x), (np.eye(2) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
