@@ -69,7 +69,11 @@ def by_median(z):
     return run(z, (np.median(abs(np.diff(z, 2))) / 0.6745) ** 2 / 6)[:2]
 
 
-PASSING = {"second differences": by_differences, "R times the NIS, four times": by_scale, "median of second differences": by_median}
+PASSING = {
+    "second differences": by_differences,
+    "R times the NIS, four times": by_scale,
+    "median of second differences": by_median,
+}
 FAILING = {
     "the lesson's R": lambda z: run(z, 100.0)[:2],
     "ignores the readings": lambda z: run(z, 1e12)[:2],

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn import angle_difference
 from kflearn.exercises._bearing_of_a_sound import WRONG
+from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
 from kflearn.exercises._speaker import FAILING, PASSING, off, recording
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -34,6 +35,12 @@ def differences(rng):
     hints=[
         "The remainder `% 360` puts every angle between 0 and 360. You want −180 to 180: the same width, moved by half a turn.",
         "Move the difference up by half a turn, take the remainder, move back down.",
+        tried(
+            (331,),
+            "wrap(331)",
+            "Work it out by hand: from 8° to 339° it is 29° to the left, which is −29.",
+            "Work out one case by hand: 339 − 8 is 331, and from 8° to 339° it is 29° to the left, −29.",
+        ),
         "In one line: `return (difference + 180) % 360 - 180`.",
     ],
     inputs=differences,
@@ -59,6 +66,12 @@ def stuck_rates(rng):
 @exercise(
     hints=[
         "At rest the offset is the same after every step. What does one step add to it, and what does the correction leave of it?",
+        tried(
+            (10, 0.5, 1),
+            "offset(10, 0.5, 1)",
+            "By hand: each step adds 10 and leaves one half, so after the steps it is 5, 7.5, 8.75 … Where does that end?",
+            "Take x₁ = 10, K = 0.5, dt = 1: each step adds 10 and leaves one half: 5, 7.5, 8.75 … Where does that end?",
+        ),
         "Prediction: offset + dt·x₁. Correction: the part 1 − K of that is left. At rest this is the offset itself.",
         "offset = (1 − K)(offset + dt·x₁). Bring the offset to one side: offset·K = (1 − K)·dt·x₁.",
     ],

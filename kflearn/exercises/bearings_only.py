@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._bearings_only import WRONG
+from kflearn.exercises._hints import tried
 from kflearn.exercises.engine import exercise
 
 
@@ -17,6 +18,12 @@ def offsets(rng):
     hints=[
         "Draw a target north-west of the station. From which axis is `np.arctan(abs(north / east))` measured, and which way round?",
         "It is always the angle to the east–west axis. In quadrant 2 one goes half a turn and comes back by it; in quadrant 4 a whole turn.",
+        tried(
+            (-1, 1),
+            "mended_bearing(-1, 1)",
+            "That target is in the north-west, three eighths of a turn from east: 2.356 rad.",
+            "Try a target one metre west and one metre north: three eighths of a turn from east, 2.356 rad.",
+        ),
         "`np.arctan2` takes north first, then east, and looks at both signs; it gives −π to π.",
         "In one line: `return np.arctan2(north, east) % (2 * np.pi)`.",
     ],

@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn import chi_square_interval
+from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
@@ -50,6 +51,14 @@ def nees(e, P):
 @exercise(
     hints=[
         "Take the sign of the neighbours first. Positive: one innovation is followed by another on the same side, because the filter lags. Negative: it moves too far each time.",
+        of_choice(
+            {
+                "r too large": "NIS below 2 you have used. Now use the sign: does R too large make the gain too large or too small?",
+                "r too small": "The sign you have used. Now use the NIS: does R too small make the claims too large or too small?",
+                "q too small": "Look at both clues again: is this filter too sure or too modest, is its gain too small or too large?",
+            },
+            "Make two columns, as in the lesson's table: what does each of the four do to NIS, what to the gain?",
+        ),
         "Negative, so the gain is too large. Two of the four make it so. Which of them claims too much uncertainty, NIS < m?",
         "A gain is too large when Q is too large or R too small. The first widens every claim, the second narrows it.",
     ],

@@ -175,7 +175,7 @@ def winner():
     failing=FAILING,
     then="With distance and bearing together the tangents are nearly right, and the filter honest. With the distance alone it was not.",
 )
-def radar(z, mean, cov):
+def range_and_bearing(z, mean, cov):
     """Write a filter `(z, mean, cov) → mean, covariance` for a radar at the origin that measures distance and bearing.
 
     z (100, 2): distance (m) and bearing (rad, from −π to π, counted from east towards north), one a second, with

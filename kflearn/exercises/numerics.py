@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._hints import tried
 from kflearn.exercises._turns import sized
 from kflearn.exercises.engine import exercise
 
@@ -16,6 +17,12 @@ def corrections(rng):
     hints=[
         "NEES is the squared error divided by the claimed variance. What is the mean of the squared error here?",
         "After the correction the error is (1 − K) times the error before, minus K times the error of the reading.",
+        tried(
+            (4, 0, 1, 2),
+            "average_nees(4, 0, 1, 2)",
+            "With K = 0 nothing is corrected: the mean squared error stays P = 4, and the NEES is 4/2.",
+            "Try K = 0: nothing is corrected, the mean squared error stays P. And K = 1, where only the reading counts?",
+        ),
         "Joseph's form holds for any gain: the mean squared error is (1 − K)²P + K²R.",
         "`return ((1 - K) ** 2 * P + K**2 * R) / claim`",
     ],
@@ -151,6 +158,8 @@ def two_roots(rng, n):
     """Roots of a covariance before a reading and after it, triangular, with any signs; which comes first is chance."""
     before = np.tril(rng.integers(-3, 4, (n, n)), -1) + np.diag(rng.integers(2, 7, n)) * rng.choice([-1.0, 1.0], n)
     h, R = rng.integers(1, 4, n) * rng.choice([-1, 1], n), rng.integers(1, 9) / 4
+    while not (before @ before.T @ h).all():  # a reading that leaves a variance as it was
+        h[rng.integers(n)] += 1
     seen = before.T @ h  # Potter's correction: the reading is h times the state, its variance R
     S = seen @ seen + R
     after = before - np.outer(before @ seen, seen) / (S + np.sqrt(R * S))

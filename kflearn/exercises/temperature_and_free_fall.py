@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn import rmse
 from kflearn.exercises import _falling_report
+from kflearn.exercises._hints import of_choice
 from kflearn.exercises._temperature_and_free_fall import WRONG
 from kflearn.exercises._turns import sized
 from kflearn.exercises.engine import exercise
@@ -66,6 +67,14 @@ def room_filter(z, Q, R):
 @exercise(
     hints=[
         "Two clues: the innovations lie on one side, and there are more surprises than promised. Which suspects explain the first?",
+        of_choice(
+            {
+                "g too small": "You have found the culprit. Now the direction: where does a filter with too small a g expect the stone?",
+                "r too small": "That explains the NIS. Does it also explain that the innovations are all on one side?",
+                "r too large": "Does R too large make surprises larger or smaller than promised? And which suspect pushes to one side?",
+            },
+            "Take the suspects one by one: what does each do to the average innovation, and what to the NIS?",
+        ),
         "A wrong R leaves the innovations even on both sides. So it is g. Where does the filter expect the stone: too high or too low?",
         "Innovation = reading − expected. It is positive, so the filter expects the stone too low: it lets it fall too fast.",
     ],

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises import _two_fixes
 from kflearn.exercises._cart_with_gaps import FAILING, PASSING, recording
+from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._train_and_ship import WRONG
 from kflearn.exercises._turns import sized
@@ -22,6 +23,12 @@ def speeds(rng):
 @exercise(
     hints=[
         "Two things make x̂₀ wrong: the speed scatters about the middle of its range, and the middle is not where the filter starts.",
+        tried(
+            (0, 12, 6),
+            "start_variance(0, 12, 6)",
+            "There the filter starts in the middle, and only the scatter is left: 12. And what if it starts at 0?",
+            "Begin with a filter that starts in the middle, (0, 12, 6): only the scatter is left, 12. And what if it starts at 0?",
+        ),
         "The mean square about `believed` is the variance about the middle, plus the squared distance from the middle to `believed`.",
         "Where anything between two limits is equally likely, the variance is (high − low)²/12. Add ((low + high)/2 − believed)².",
     ],
@@ -44,6 +51,12 @@ def positions(rng, count):
 @exercise(
     hints=[
         "Five differences need six readings. Which is the first reading that has five before it?",
+        tried(
+            (np.arange(7.0), 1),
+            "running_average(z, 1) for z = 0, 1 … 6",
+            "The speed is 1 all the time: five NaN are wanted, then 1, 1.",
+            "Try z = 0, 1 … 6 with dt = 1: the speed is 1 all the time, so five NaN are wanted, then 1, 1.",
+        ),
         "The sixth, `z[5]`. Start from `np.full(len(z), np.nan)` and fill it from there on.",
         "Five differences in a row add up to one: the average at k is `(z[k] - z[k - 5]) / (5 * dt)`.",
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
