@@ -119,8 +119,8 @@ def linearised_correction(x, P, reading, nominal):
             "There was a difference at 30 m already, and the sag is eleven times as large now.",
         ),
     },
-    then="Over a thousand runs the LKF is off by 43 m on average, the EKF by 80 m. The EKF draws each tangent at a wrong place, and takes "
-    "what turns between two tangents for information.",
+    then="Over a thousand runs the LKF is off by 43 m on average, the EKF by 80 m. The EKF draws each tangent at another wrong place, "
+    "and takes the turning of its tangents for new directions that were measured.",
 )
 def winner():
     """Which filter errs less with a start wrong by 100 m and 1 m/s: "LKF", "EKF" or "no difference"?"""

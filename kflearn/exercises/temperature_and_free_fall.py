@@ -26,7 +26,7 @@ def rooms(rng):
     inputs=rooms,
     wrong=WRONG["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
-    then="With the truth in place of the reading the error looks smaller than any filter can make it: no real room tells its temperature.",
+    then="With the truth in place of the reading the error looks far smaller than an honest filter's: no real room tells its temperature.",
 )
 def mended_step(x, P, room, reading, Q, R):
     """One step of the random walk's filter: the estimate and its standard deviation. `room` is the truth."""
