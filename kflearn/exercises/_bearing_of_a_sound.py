@@ -271,5 +271,13 @@ WRONG = {
             lambda P, K: P - np.outer([K[0], P[1, 0] / P[0, 0] * K[0]], P[0]),
             "You worked out the second gain from P and did not use K[1]. The update must work for any gain: use both numbers of K.",
         ),
+        "outer turned round": (
+            lambda P, K: P - np.outer(P[0], K),
+            "In `np.outer` the column comes first: K, then the row H P. Yours is the transpose of K H P.",
+        ),
+        "K Kᵀ": (
+            lambda P, K: (np.eye(2) - np.outer(K, K)) @ P,
+            "You formed K Kᵀ. In the bracket stands K H, with the row H = [1, 0].",
+        ),
     },
 }

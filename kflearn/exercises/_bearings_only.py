@@ -97,6 +97,14 @@ WRONG = {
             lambda east, north: math.atan(north / east) + math.pi,
             "The quotient has lost one sign, and half a turn for all cannot bring it back: look at the signs of both, as `arctan2` does.",
         ),
+        "no brackets": (
+            lambda east, north: math.atan2(north, east) % 2 * math.pi,
+            "`%` and `*` are worked out from left to right, so you took the remainder by 2. Put brackets round `(2 * np.pi)`.",
+        ),
+        "arctangent of east over north": (
+            lambda east, north: math.atan(east / north) % TURN,
+            "Two things: the quotient loses a sign, and it is north over east. `arctan2` takes north first, and looks at both signs.",
+        ),
     },
     "bearing_variance": {
         "as published": (
@@ -136,6 +144,10 @@ WRONG = {
         "the notebook's number": (
             lambda sd: math.radians(0.1) ** 2,
             "That is R for 0.1°. Write it for any σ: use `sd`.",
+        ),
+        "2σ": (
+            lambda sd: (2 * math.radians(sd)) ** 2,
+            "You doubled σ before squaring. `sd` is one standard deviation, and R is its square.",
         ),
     },
 }

@@ -112,5 +112,20 @@ WRONG = {
             ),
             "Slope and way are right. The line starts at the height of the curve at the *nominal*; you took the height at x.",
         ),
+        "no slope in the line": (
+            lambda x, P, reading, nominal: corrected(
+                x, P, reading - off(nominal) - (x - nominal), nominal / off(nominal)
+            ),
+            "The line rises by its slope H for each metre: H times (x − nominal).",
+        ),
+        "P with the estimate's slope": (
+            lambda x, P, reading, nominal: (
+                corrected(
+                    x, P, reading - off(nominal) - nominal / off(nominal) * (x - nominal), nominal / off(nominal)
+                )[0],
+                corrected(x, P, 0, x / off(x))[1],
+            ),
+            "x is right. P still uses the slope at the estimate: take the nominal's H there as well.",
+        ),
     },
 }

@@ -93,5 +93,21 @@ WRONG = {
             ),
             "The errors are right. But σ is that of the first moment above; asked is the last.",
         ),
+        "raw, not cut": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov),
+            "Two faults remain: you still count underground, and you compare with the raw readings and not with `ignored`. The σ is of the right entry.",
+        ),
+        "raw, height": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov, x[:, 0] > 0, entry=0),
+            "The moments are right. Compare with `ignored` and not with the readings; and the velocity's entry is [1, 1].",
+        ),
+        "variance of the height": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, entry=0, root=lambda v: v),
+            "The errors are right. The third number is the height's variance: σ of the velocity is the root of entry [1, 1].",
+        ),
+        "not cut, variance": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, root=lambda v: v),
+            "You still count underground; and the third number is a variance: σ is its root.",
+        ),
     },
 }

@@ -139,6 +139,18 @@ WRONG = {
             lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[:2]],
             "The first two are right; the third series, the acceleration's (indices 6 to 8), is missing.",
         ),
+        "one axis": (
+            lambda e: [np.sqrt(np.mean(e[..., k] ** 2, axis=0)) for k in (0, 3, 6)],
+            "You took the first axis of each alone. Position, velocity and acceleration have three axes each: add their squares.",
+        ),
+        "two axes": (
+            lambda e: [np.sqrt(np.mean(np.sum(e[..., k : k + 2] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)],
+            "You took two axes of three: `k : k + 2` ends before k + 2.",
+        ),
+        "mean size": (
+            lambda e: [np.mean(abs(e[..., k : k + 3]), axis=(0, 2)) for k in (0, 3, 6)],
+            "Those are mean sizes of the errors of an axis. Add the squares of three axes, take the mean over the runs, then the root.",
+        ),
     },
     "memory": {
         "as published": (
@@ -204,6 +216,14 @@ WRONG = {
         "sd not squared, part not squared": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * (1 - np.exp(-dt / lasts))),
             "The part is right. In the noise both are variances: sd² and part².",
+        ),
+        "sd": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd),
+            "The part is right. The noise only fills up what fades in a step, and it is a variance: sd²(1 − part²).",
+        ),
+        "rate and time swapped, not squared": (
+            lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-lasts * dt))),
+            "Two things: λ is 1/lasts, not lasts; and the variance that survives is part² times sd².",
         ),
     },
 }

@@ -46,6 +46,10 @@ WRONG = {
             lambda: tuple(np.multiply(chi_square_interval(1, 50), 50) / 100),
             "The 50 runs have 50 · 2 degrees of freedom, and the sum is divided by the 50 runs only.",
         ),
+        "a narrow bell": (
+            lambda: (2 - 1.96 / np.sqrt(50), 2 + 1.96 / np.sqrt(50)),
+            "You took variance 1 for a single NEES. With two states it is 4, and the distribution is lopsided: take chi-square's own quantiles.",
+        ),
     },
     "nees": {
         "without P": (
@@ -154,6 +158,18 @@ WRONG = {
             lambda e, P: np.mean(abs(e) <= np.std(e)),
             "You compare with the scatter of the errors themselves. The question is about what was claimed: the variances P.",
         ),
+        "1.96 σ": (
+            lambda e, P: np.mean(abs(e) <= 1.96 * np.sqrt(P)),
+            "The root is right. 1.96 σ is the band that holds 95 %; ±1σ was asked for.",
+        ),
+        "3 σ": (
+            lambda e, P: np.mean(abs(e) <= 3 * np.sqrt(P)),
+            "The root is right. But that is the band ±3σ; ±1σ was asked for.",
+        ),
+        "published, one side": (
+            lambda e, P: np.mean(e <= P),
+            "Two faults: P is a variance, its root belongs here; and without abs(e) all errors below count as inside.",
+        ),
     },
     "draw_start": {
         "as published": (
@@ -199,6 +215,14 @@ WRONG = {
         "mean stretched too": (
             lambda mean, variances, normal: mean * np.sqrt(variances) * normal,
             "You multiplied the mean as well. The mean shifts the scatter, it is added.",
+        ),
+        "mean stretched": (
+            lambda mean, variances, normal: (mean + normal) * np.sqrt(variances),
+            "You shifted first and stretched afterwards, so the mean was stretched too. First stretch, then add the mean.",
+        ),
+        "2σ": (
+            lambda mean, variances, normal: mean + 2 * np.sqrt(variances) * normal,
+            "Twice too wide: a standard normal number times σ has the standard deviation σ already.",
         ),
     },
 }

@@ -153,6 +153,14 @@ WRONG = {
             lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P + 1),
             "The slope is right now. The reading's variance is 1, but the disturbance of the move has Q = 10.",
         ),
+        "one slope at each place": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) * P * growth_slope(grown(x, u)) + 10),
+            "One of the two slopes is still taken where the belief lands. Both belong to the old x.",
+        ),
+        "|F| once": (
+            lambda x, P, u: (grown(x, u), abs(growth_slope(x)) * P + 10),
+            "P is a variance: stretching by F multiplies it by F twice, which is never negative, without abs.",
+        ),
     },
     "true_starts": {
         "as published": (

@@ -116,6 +116,10 @@ WRONG = {
             lambda x, P, room, reading, Q, R: (step(x, P, reading, Q, R)[0], np.sqrt((P + Q) ** 2 / (P + Q + R))),
             "The estimate is right. In the variance you took K; what is left after a reading is the part 1 − K.",
         ),
+        "the reading's σ": (
+            lambda x, P, room, reading, Q, R: (step(x, P, reading, Q, R)[0], np.sqrt(R)),
+            "The estimate is right. The second number is the sensor's σ; the estimate's is the root of (1 − K)P.",
+        ),
     },
     "room_filter": {
         "as published": (
@@ -187,6 +191,23 @@ WRONG = {
             "The estimate is right. The second number is a standard deviation; here the variance is asked for.",
         ),
         "all estimates": (all_estimates, "These are all estimates, one for each reading; the last one was asked for."),
+        "R at the end": (
+            lambda z, Q, R: (loop(z[0], R, z[1:], Q, R)[0], R),
+            "The estimate is right. The variance is that of a single reading; return the P that the loop has made smaller.",
+        ),
+        "starts at the mean": (
+            lambda z, Q, R: loop(np.mean(z), R, z[1:], Q, R),
+            "You start at the mean of the series, which contains readings still to come. Start at the first, z[0].",
+        ),
+        "R squared": (lambda z, Q, R: loop(z[0], R**2, z[1:], Q, R**2), "You squared R. It is a variance already."),
+        "one reading left out": (
+            lambda z, Q, R: loop(z[0], R, z[2:], Q, R),
+            "You left out the second reading: after the start from z[0] the loop begins at z[1].",
+        ),
+        "vague at the first reading": (
+            lambda z, Q, R: loop(z[0], 1000, z[1:], Q, R),
+            "With P = 1000 the first reading hardly counts: you start at it as if nothing were known. It is as good as its variance.",
+        ),
     },
     "noise": {
         "as published": (

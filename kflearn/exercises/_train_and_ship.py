@@ -188,6 +188,10 @@ WRONG = {
             lambda low, high, believed: (high - low) ** 2 / 12 - ((low + high) / 2 - believed) ** 2,
             "You took the squared distance away. A wrong guess makes the mean square error larger: add.",
         ),
+        "both over 12": (
+            lambda low, high, believed: ((high - low) ** 2 + ((low + high) / 2 - believed) ** 2) / 12,
+            "The 12 belongs under the squared range alone; the squared distance is added as it is.",
+        ),
     },
     "report": {
         "as published": (

@@ -91,5 +91,17 @@ WRONG = {
             lambda z0, z1, dt, R: made(z0, (z1 - z0) / dt, [[R, 0], [0, 2 * R / dt**2]]),
             "The position is that of the second fix, z₁, and z₁ is in the speed as well: so the corner is not zero.",
         ),
+        "dt² forgotten": (
+            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, R / dt], [R / dt, 2 * R]]),
+            "The corner is right. The speed is divided by dt, so its variance is divided by dt².",
+        ),
+        "corner without dt": (
+            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, R], [R, 2 * R / dt**2]]),
+            "Both variances are right. The corner is the mean of e₁ · (e₁ − e₀)/dt: it is divided by dt.",
+        ),
+        "both fixes in the position": (
+            lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[2 * R, R / dt], [R / dt, 2 * R / dt**2]]),
+            "Only the position's variance is wrong: the position is one fix, z₁, so it is R.",
+        ),
     },
 }

@@ -129,6 +129,14 @@ def bearing_variance(sd):
             (18, -4),
             "You added the velocities and doubled the sum. Take the target's minus ours, double it, then add ours.",
         ),
+        "one doubled": (
+            (12, -2),
+            "You doubled one number alone and left ours out. Relative velocity, twice, then back: all of it for east and for north.",
+        ),
+        "ours unchanged, north doubled": (
+            (3, -4),
+            "North is right. East: relative it is 3 − 6 = −3; double that, and add our 6.",
+        ),
     },
     unit="m/s",
     then="Every distance has such a twin. Only when we change our own velocity do the twins separate: that is why the ship must turn.",

@@ -88,6 +88,14 @@ def corrections(rng):
             lambda P, K, R, claim: claim / ((1 - K) * P),
             "Two things: NEES is the error by the claim, not upside down; and (1 − K)P is the variance for the best gain only.",
         ),
+        "1 − K not squared": (
+            lambda P, K, R, claim: ((1 - K) * P + K**2 * R) / claim,
+            "The second half is right. The state's error is multiplied by 1 − K, so its variance by (1 − K)².",
+        ),
+        "R without K": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + R) / claim,
+            "The first half is right. Only K times the reading's error comes in, so its variance counts as K²R.",
+        ),
     },
     then="With the best gain K = P/(P + R) the numerator is (1 − K)P again, and an honest claim makes the NEES 1.",
 )
@@ -145,6 +153,10 @@ def average_nees(P, K, R, claim):
         "logarithm": (
             lambda orders: np.log10(orders) / 2,
             "`orders` is the exponent already, so no logarithm is needed.",
+        ),
+        "root, then half": (
+            lambda orders: orders**0.5 / 2,
+            "You took the root of the count of orders. It is an exponent: the root of 10ⁿ is 10 to the power of what?",
         ),
     },
     then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
@@ -229,9 +241,17 @@ def smaller(first, second):
             lambda one, two: one @ one.T if one[0, 0] < two[0, 0] else two @ two.T,
             "You compared the first entries of the *roots*, which may have minus signs. Square them first: compare variances.",
         ),
-        "sum of the roots": (
-            lambda one, two: one @ one.T if one.sum() < two.sum() else two @ two.T,
-            "You compared the sums of the *roots*, which may have minus signs. Compare the sizes of L Lᵀ, its trace.",
+        "sum": (
+            lambda one, two: one @ one.T + two @ two.T,
+            "You added both covariances. Only one of them is that after the reading: choose.",
+        ),
+        "mean": (
+            lambda one, two: (one @ one.T + two @ two.T) / 2,
+            "You averaged both covariances. Only one of them is that after the reading: choose.",
+        ),
+        "fused": (
+            lambda one, two: np.linalg.inv(np.linalg.inv(one @ one.T) + np.linalg.inv(two @ two.T)),
+            "You fused the two, as if they were independent. The reading is in one of them already: choose that one.",
         ),
     },
     then="The trace decides because a reading makes no variance larger, whatever H and R are. A prediction may.",
