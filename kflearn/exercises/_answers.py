@@ -43,6 +43,8 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
     str or None
         A sentence without its capital letter; None if nothing is wrong.
     """
+    if isinstance(answer, dict) and (parts(right) or np.ndim(right)):  # figures under their names: its values, in order
+        answer = list(answer.values())
     if wanted := parts(right):
         return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand)
     right = np.asarray(right)

@@ -58,6 +58,7 @@ RIGHT = [
     (fused_position, Fraction(185, 3)),
     (fused_position, Decimal("61.667")),
     (lopsided, [[13, 6.5], [6, 3]]),
+    (lopsided, {"first row": [13, 6.5], "second row": [6, 3]}),
     (lopsided, ((13, 6.5), (6, 3))),
     (lopsided, np.array([[13, 6.5], [6, 3]], dtype=np.float32)),
     (lopsided, [np.array([13, 6.5]), [6, 3]]),
