@@ -204,7 +204,7 @@ WRONG["gravity"] = {
     ),
     "rounded": (
         lambda rows: 0.0 if np.all(np.round(rows) == 210) else 6.0,
-        "Rounding to 210 means within half a pixel. One pixel was asked for: the absolute difference from 210, "
+        "That is within half a pixel. One pixel was asked for: the absolute difference from 210, "
         "below 1.",
     ),
     "exactly": (
@@ -214,15 +214,6 @@ WRONG["gravity"] = {
     "three numbers": (
         lambda rows: np.where(near(rows), 0.0, 6.0),
         "You return one number for each frame. One push is wanted: 0 only if all three are near.",
-    ),
-    "those seen are near": (
-        lambda rows: 0.0 if near(rows[~np.isnan(rows)]).all() else 6.0,
-        "You asked only the frames in which something was seen. A hidden frame does not rest either: all three "
-        "must be near.",
-    ),
-    "half a pixel": (
-        lambda rows: 0.0 if np.all(abs(rows - 210) < 0.5) else 6.0,
-        "You asked for half a pixel; the text says within 1 px.",
     ),
     "two of three": (
         lambda rows: 0.0 if near(rows).sum() >= 2 else 6.0,
