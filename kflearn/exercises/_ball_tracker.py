@@ -204,8 +204,7 @@ WRONG["gravity"] = {
     ),
     "rounded": (
         lambda rows: 0.0 if np.all(np.round(rows) == 210) else 6.0,
-        "That is within half a pixel. One pixel was asked for: the absolute difference from 210, "
-        "below 1.",
+        "That is within half a pixel. One pixel was asked for: the absolute difference from 210, below 1.",
     ),
     "exactly": (
         lambda rows: 0.0 if np.all(rows == 210) else 6.0,

@@ -5,8 +5,9 @@ from itertools import cycle
 import numpy as np
 from scipy import ndimage
 
-from kflearn.exercises import _ball_in_a_video, _ball_tracker
-from kflearn.exercises.engine import exercise
+from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball
+from kflearn.exercises._judge import track
+from kflearn.exercises.engine import exercise, judged
 
 WRONG = _ball_in_a_video.WRONG | _ball_tracker.WRONG
 
@@ -136,3 +137,39 @@ def three_rows(rng):
 def gravity(rows):
     """The push on the row's velocity: 0 if the last three rows (NaN: not seen) were within 1 px of 210, else 6."""
     return 0.0 if np.all(abs(rows - 210) < 1) else 6.0
+
+
+@judged(
+    hints=[
+        "Begin with `follow` of this lesson. What in it belongs to that film only: start, gravity, Q, R, the floor, the gate?",
+        "x starts at the first detection, with R for its place and a wide variance for the velocity. In every further frame: predict, push by [0, g/2, 0, g], ask for the NIS, correct if it passes the gate, and store x and P.",
+        "A NaN makes the NIS NaN, and no comparison with NaN is true: such a frame coasts by itself. For two numbers a gate at 11.8 refuses one good detection in 365.",
+    ],
+    recording=_thrown_ball.thrown,
+    marks=_thrown_ball.MARKS,
+    form=track(4),
+    then="Where does it pay? Compare with the detections in the frames where the ball was seen: an R of several px² is what makes a filter worth its lines here.",
+    passing=_thrown_ball.PASSING,
+    failing=_thrown_ball.FAILING,
+)
+def thrown_ball(z, g, q, R):
+    """Write the whole tracker for a ball in the air: the mean (T, 4) and the covariance (T, 4, 4) in every frame.
+
+    State: column, row, and their velocities in px and px/frame. z (T, 2) holds the detections in px, NaN where nothing was
+    found; the first ten are of the ball, of the later ones some are of something else. g: gravity in px/frame², which
+    makes rows grow; q: variance of the kicks that the air gives, on each axis, in px²/frame²; R: variance of a detection,
+    on each axis, in px². There is no floor.
+    """
+    F, up = np.kron([[1, 1], [0, 1]], np.eye(2)), np.array([0, g / 2, 0, g])
+    H, Q = np.eye(2, 4), q * np.kron([[1 / 3, 1 / 2], [1 / 2, 1]], np.eye(2))
+    x, P = np.array([*z[0], 0, 0]), np.diag([R, R, 1e4, 1e4])
+    means, covs = [x], [P]
+    for seen in z[1:]:
+        x, P = F @ x + up, F @ P @ F.T + Q
+        y, S = seen - H @ x, H @ P @ H.T + R * np.eye(2)
+        if y @ np.linalg.solve(S, y) <= 11.8:  # not so for NaN
+            K = np.linalg.solve(S, H @ P).T
+            x, P = x + K @ y, P - K @ S @ K.T
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
