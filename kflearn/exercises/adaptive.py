@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from kflearn.exercises import _unknown_sensor
 from kflearn.exercises._adaptive import WRONG
-from kflearn.exercises.engine import exercise
+from kflearn.exercises._judge import track
+from kflearn.exercises.engine import exercise, judged
 
 
 @exercise(
@@ -150,3 +152,39 @@ def mixture_cov(p, means, covs):
     """The covariance (n, n) of a bank's joint belief: weights p (M,), means (M, n), covariances (M, n, n)."""
     apart = means - p @ means
     return np.tensordot(p, covs + apart[:, :, None] * apart[:, None, :], 1)
+
+
+@judged(
+    hints=[
+        "Begin with `adaptive` of this lesson. Which of its names belong to that cart only? And what must not happen where a reading is NaN?",
+        "Predict in every step. Where there is a reading: put its innovation into the list, estimate R, correct. Where there is none: store the prediction, and leave the list alone.",
+        "`R = max(np.mean(recent[-30:]) - P[0, 0], 0.05)` with the squared innovations in `recent`, as soon as there are 30; before that R = 1.",
+    ],
+    recording=_unknown_sensor.unknown_sensor,
+    marks=_unknown_sensor.MARKS,
+    form=track(2),
+    then="A bank with the candidates 1, 4 and 16 m² that may change, as in lesson 16, notices sooner than a window: try it on the same recordings.",
+    passing=_unknown_sensor.PASSING,
+    failing=_unknown_sensor.FAILING,
+)
+def unknown_sensor(z, F, Q, mean, cov):
+    """Write a filter that learns R: the mean (T, 2) and the covariance (T, 2, 2) after each of T steps.
+
+    State: position (m) and velocity (m/s). z (T,): readings of the position in m, NaN where there is none. F, Q (2, 2):
+    the cart, which is not the lesson's. mean (2,), cov (2, 2): what is known one step before the first reading. The data
+    sheet says R = 1 m². At some moment the sensor becomes much worse, or it was much worse before and becomes as good as
+    the sheet says. 45 steps are granted to notice.
+    """
+    x, P, R, recent, means, covs = mean, cov, 1.0, [], [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        if not np.isnan(reading):
+            y = reading - x[0]
+            recent.append(y**2)
+            if len(recent) >= 30:
+                R = max(np.mean(recent[-30:]) - P[0, 0], 0.05)
+            K = P[:, 0] / (P[0, 0] + R)
+            x, P = x + K * y, P - np.outer(K, P[0])
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)

@@ -4,8 +4,10 @@ from itertools import cycle
 
 import numpy as np
 
+from kflearn.exercises import _a_ride
+from kflearn.exercises._judge import track
 from kflearn.exercises._your_data import WRONG
-from kflearn.exercises.engine import exercise
+from kflearn.exercises.engine import exercise, judged
 from kflearn.results.consistency import chi_square_interval
 
 LOW, HIGH = chi_square_interval(1, 40)
@@ -219,3 +221,40 @@ def a_departure(rng):
 def variance_at_rest(time, z, until):
     """R from the readings with time < until, at which nothing moved; z (T,) may hold NaN."""
     return np.nanvar(z[time < until], ddof=1)
+
+
+@judged(
+    hints=[
+        "Three things before the first step: R from the first 30 s, the steps Δt from the time stamps, and a start from the first reading. What does each of them look like in this lesson?",
+        "In each step build F and Q from its own Δt, as `design` does. Then predict, ask for the NIS, correct if it passes the gate; a NaN never passes.",
+        "`R = np.nanvar(z[time < 30], axis=0, ddof=1).mean()`; x = [z[0, 0], 0, z[0, 1], 0] with variances R and 9; a gate at 13.8 refuses one good reading in a thousand.",
+    ],
+    recording=_a_ride.a_ride,
+    marks=_a_ride.MARKS,
+    form=track(4),
+    then="Here the truth was known. For a file of your own the report card takes its place: hand it this filter, and read each line.",
+    passing=_a_ride.PASSING,
+    failing=_a_ride.FAILING,
+)
+def a_ride(time, z, q):
+    """From the arrays of a file to a filter that can be defended: mean (T, 4) and covariance (T, 4, 4) at each time stamp.
+
+    State: east, its speed, north, its speed, in m and m/s. time (T,): time stamps in s, uneven, with one long hole.
+    z (T, 2): readings of east and north in m, of which some are NaN and some are far off; the first one is good. During
+    the first 30 s nothing moves. q: white acceleration in m²/s³. R, in m², the same on both axes, is for you to find.
+    """
+    R = np.nanvar(z[time < 30], axis=0, ddof=1).mean()
+    H, each = np.kron(np.eye(2), [[1, 0]]), np.eye(2)
+    x, P = np.array([z[0, 0], 0, z[0, 1], 0]), np.kron(each, np.diag([R, 9]))
+    means, covs = [x], [P]
+    for dt, seen in zip(np.diff(time), z[1:], strict=True):
+        F = np.kron(each, [[1, dt], [0, 1]])
+        Q = q * np.kron(each, [[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
+        x, P = F @ x, F @ P @ F.T + Q
+        y, S = seen - H @ x, H @ P @ H.T + R * each
+        if y @ np.linalg.solve(S, y) < 13.8:  # never true for NaN
+            K = np.linalg.solve(S, H @ P).T
+            x, P = x + K @ y, P - K @ S @ K.T
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
