@@ -258,7 +258,7 @@ class FunctionExercise(Exercise):
         first = next(i for i, complaint in enumerate(faults) if complaint)
         words = f"for `{self._called(self.cases[first])}` {faults[first]}"
         if name := _rules.unused(answer, self._solve, self.cases, self.parameters, close):
-            instead = "a number, or a name of the notebook, stands in its place"
+            instead = "a number, or a name of the notebook, stands in its place, or it is left out"
             return f"The result does not depend on {name}: {instead}. {words[0].upper()}{words[1:]}"
         share = _rules.share([not complaint for complaint in faults], self.cases)
         return f"{words} {share}".rstrip()

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises._consider_by_hand import FIRST_COVARIANCE
 from kflearn.exercises._consider_filter import WRONG
+from kflearn.exercises._hints import after
 from kflearn.exercises.engine import exercise
 
 
@@ -59,7 +60,11 @@ def inflated():
 
 @exercise(
     hints=[
-        "First the gain: which variances does the innovation z − x̂ hold? Three of them.",
+        after(
+            [[4 - 16 / 5.25, -4 / 5.25], [-4 / 5.25, 1 - 1 / 5.25]],
+            "You have estimated the bias. Which row of the gain must be zero, and which form of (9) holds then?",
+            "First the gain: which variances does the innovation z − x̂ hold? Three of them.",
+        ),
         "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
         "`K = np.array([[4 / 5.25], [0]])`, `keep = np.eye(2) - K @ H`, then `keep @ P @ keep.T + K * 0.25 @ K.T`.",
     ],

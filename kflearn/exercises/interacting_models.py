@@ -4,12 +4,17 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._hints import after
 from kflearn.exercises.engine import exercise
 
 
 @exercise(
     hints=[
-        "The blend's mean is halfway. How far is each model from it?",
+        after(
+            30,
+            "30 m is what each of the two claims. Where is the blend's mean, and how far is each model from it?",
+            "The blend's mean is halfway. How far is each model from it?",
+        ),
         "Variance of the blend: the mean of the two variances plus the mean of the two squared distances to the blend's mean.",
         "`np.sqrt(30**2 + 30**2)`, because each of the two means is 30 m from the middle.",
     ],

@@ -2,13 +2,18 @@
 
 import numpy as np
 
+from kflearn.exercises._hints import after
 from kflearn.exercises._smoothing import WRONG
 from kflearn.exercises.engine import exercise
 
 
 @exercise(
     hints=[
-        "First the gain: which part of what the prediction got wrong was wrong at step k already? G = P F / P⁻, with F = 1.",
+        after(
+            (5.2, 1.2),
+            "N(6, 2) holds the filter's N(4, 3) already: do not fuse, compare it with the prediction N(4, 4). G = P F / P⁻, with F = 1.",
+            "First the gain: which part of what the prediction got wrong was wrong at step k already? G = P F / P⁻, with F = 1.",
+        ),
         "G = 3/4. The mean moves by G times (known in the end − predicted); the variance changes by G² times a difference.",
         "`(4 + 3/4 * (6 - 4), 3 + (3/4)**2 * (2 - 4))`",
     ],

@@ -5,6 +5,7 @@ from itertools import cycle
 import numpy as np
 
 from kflearn.exercises import _a_ride
+from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._your_data import WRONG
 from kflearn.exercises.engine import exercise, judged
@@ -101,7 +102,11 @@ def interval_of_R():
 
 @exercise(
     hints=[
-        "Which power of a time stands in the unit of q?",
+        after(
+            1e-4,
+            "You took the unit of q for m²/s. How often does the time stand in m²/s³?",
+            "Which power of a time stands in the unit of q?",
+        ),
         "The position's share of Q is q Δt³/3, in m². All Δt are 1000 times too large, and this share has to stay.",
         "`0.1 / 1000**3`",
     ],
