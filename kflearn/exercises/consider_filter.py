@@ -66,7 +66,7 @@ def inflated():
             "First the gain: which variances does the innovation z − x̂ hold? Three of them.",
         ),
         "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
-        "`K = np.array([[4 / 5.25], [0]])`, `keep = np.eye(2) - K @ H`, then `keep @ P @ keep.T + K * 0.25 @ K.T`.",
+        "`gain = np.array([[4 / 5.25], [0]])`, `kept = np.eye(2) - gain @ [[1, 1]]`, then `kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T`.",
     ],
     wrong=FIRST_COVARIANCE,
     unit="m²",
@@ -74,10 +74,9 @@ def inflated():
 )
 def first_covariance():
     """P of position and bias after the first consider correction: P⁻ = diag(4, 1), H = [1, 1], R = 0.25."""
-    P, H = np.diag([4.0, 1.0]), np.array([[1.0, 1.0]])
-    K = np.array([[4 / (4 + 1 + 0.25)], [0]])
-    keep = np.eye(2) - K @ H
-    return keep @ P @ keep.T + K * 0.25 @ K.T
+    gain = np.array([[4 / (4 + 1 + 0.25)], [0]])
+    kept = np.eye(2) - gain @ [[1, 1]]
+    return kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T
 
 
 def averages(rng):

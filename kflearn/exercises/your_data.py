@@ -18,7 +18,7 @@ LOW, HIGH = chi_square_interval(1, 40)
     hints=[
         "The sum of squared deviations over R is chi-square with 40 degrees of freedom: one goes to the mean.",
         "`chi_square_interval(1, 40)` is the interval of (sample variance) / R. You want R: it stands in the denominator.",
-        "With `low, high = chi_square_interval(1, 40)` the answer is `(0.09 / high, 0.09 / low)`.",
+        "With `ends = chi_square_interval(1, 40)` the answer is `(0.09 / ends[1], 0.09 / ends[0])`.",
     ],
     wrong={
         "multiplied": (
@@ -96,8 +96,8 @@ LOW, HIGH = chi_square_interval(1, 40)
 )
 def interval_of_R():
     """41 readings at rest scatter with a sample variance of 0.09 m². Between which limits does R lie, at 95 %?"""
-    low, high = chi_square_interval(1, 40)
-    return 0.09 / high, 0.09 / low
+    ends = chi_square_interval(1, 40)
+    return 0.09 / ends[1], 0.09 / ends[0]
 
 
 @exercise(
@@ -241,7 +241,7 @@ def variance_at_rest(time, z, until):
     passing=_a_ride.PASSING,
     failing=_a_ride.FAILING,
 )
-def a_ride(time, z, q):
+def ride(time, z, q):
     """From the arrays of a file to a filter that can be defended: mean (T, 4) and covariance (T, 4, 4) at each time stamp.
 
     State: east, its speed, north, its speed, in m and m/s. time (T,): time stamps in s, uneven, with one long hole.
