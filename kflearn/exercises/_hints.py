@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 
+import numpy as np
+
 from kflearn.exercises._answers import show
 from kflearn.exercises._watch import Printed, TooLong, watched
 
@@ -41,3 +43,16 @@ def tried(inputs, call, advice, before) -> Callable:
 def of_choice(words, otherwise) -> Callable:
     """A hint that depends on what was chosen last: {choice: hint}."""
     return lambda last: words.get(last.strip().casefold() if isinstance(last, str) else None, otherwise)
+
+
+def is_about(answer, value) -> bool:
+    """Whether an answer, which may be anything, is within 1 % of a value."""
+    try:
+        return bool(np.allclose(np.ravel(np.asarray(answer, float)), np.ravel(value), rtol=0.01, atol=1e-12))
+    except Exception:
+        return False
+
+
+def after(value, words, otherwise):
+    """A hint that says one thing after a certain answer, and another after any other."""
+    return lambda answer: words if is_about(answer, value) else otherwise

@@ -1,17 +1,33 @@
-"""Trials of several sizes, in turn."""
+"""For the authors of exercises: inputs of several sizes, and answers that a hint may look at."""
 
-from collections.abc import Callable
-from itertools import cycle
+import itertools
+
+import numpy as np
 
 
-def sized(make, *sizes) -> Callable:
-    """Inputs whose size changes from trial to trial: the first size in the first trial, and so on, round and round.
+def in_turn(make, *sizes):
+    """Inputs whose size changes from trial to trial, the first size in the first trial.
 
     Examples
     --------
-    >>> inputs = sized(lambda rng, n: (n * [1],), 2, 4)
-    >>> inputs(None), inputs(None), inputs(None)
-    (([1, 1],), ([1, 1, 1, 1],), ([1, 1],))
+    >>> rng = np.random.default_rng(1)
+    >>> inputs = in_turn(lambda rng, n: (rng.integers(1, 9, n),), 2, 5)
+    >>> [inputs(rng)[0].size for trial in range(3)]
+    [2, 5, 2]
     """
-    turn = cycle(sizes)
-    return lambda rng: make(rng, next(turn))
+    turns = itertools.cycle(sizes)
+    return lambda rng: make(rng, *np.atleast_1d(next(turns)).tolist())
+
+
+def is_about(answer, number) -> bool:
+    """Whether a learner's last answer, which may be anything, is this number within one per cent.
+
+    Examples
+    --------
+    >>> is_about(62, 62.1), is_about("a text", 62)
+    (True, False)
+    """
+    try:
+        return abs(float(answer) - number) <= 0.01 * abs(number)
+    except Exception:  # an answer that is no number
+        return False

@@ -6,7 +6,7 @@ import numpy as np
 
 from kflearn.exercises import _false_range
 from kflearn.exercises._homing_missile import WRONG
-from kflearn.exercises._turns import sized
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 
@@ -157,7 +157,7 @@ def some_errors(rng, shape):
         "The squared length of the position error is the sum of its three squares. Velocity has indices 3 to 5, acceleration 6 to 8.",
         "`return [np.sqrt(np.mean(np.sum(error[..., k : k + 3] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)]`.",
     ],
-    inputs=sized(some_errors, (2, 3), (4, 5), (3, 2), (1, 4)),
+    inputs=in_turn(some_errors, (2, 3), (4, 5), (3, 2), (1, 4)),
     wrong=WRONG["figures"],
     then="Of the three axes together; for one axis, if they are alike, divide by √3. The root comes last: means of distances are smaller.",
 )

@@ -7,8 +7,8 @@ from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
-from kflearn.exercises._turns import sized
-from kflearn.exercises._unknown_sensor import FAILING, PASSING, honest_share, recording
+from kflearn.exercises._turns import in_turn
+from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, recording
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -39,7 +39,7 @@ def errors_and_claims(rng, n):
         "`np.linalg.solve(P, e)` is P⁻¹ e, without forming an inverse. Then multiply by e once more and add up.",
         "return e @ np.linalg.solve(P, e)",
     ],
-    inputs=sized(errors_and_claims, 2, 3, 4, 2, 1),
+    inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
     wrong=WRONG["nees"],
     then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
@@ -96,7 +96,7 @@ def errors_and_variances(rng, count):
         "P is a variance, in °C² or m². The half-width of a ±1σ band is the standard deviation.",
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
-    inputs=sized(errors_and_variances, 5, 12, 60, 7),
+    inputs=in_turn(errors_and_variances, 5, 12, 60, 7),
     wrong=WRONG["share_inside"],
     then="Of one number 68.3 % should be inside. Of a state with two components only 39 % belong inside its 1σ ellipse: why fewer?",
 )
@@ -116,7 +116,7 @@ def start_beliefs(rng, n):
         "Stretch first, then shift. By what is a number stretched when its variance is to be 9 instead of 1?",
         "`return mean + np.sqrt(variances) * normal`",
     ],
-    inputs=sized(start_beliefs, 2, 4, 3, 1),
+    inputs=in_turn(start_beliefs, 2, 4, 3, 1),
     wrong=WRONG["draw_start"],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )

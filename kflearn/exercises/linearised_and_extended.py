@@ -7,7 +7,7 @@ from kflearn.exercises import _cart_on_a_rail
 from kflearn.exercises._judge import inside, nees, track
 from kflearn.exercises._linearised_and_extended import WRONG
 from kflearn.exercises._radar import FAILING, PASSING, place_error, recording
-from kflearn.exercises._turns import sized
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -69,7 +69,7 @@ def believed_starts(rng, runs):
         "Standard normal numbers have variance 1. Stretch column i by the *root* of P0[i, i], then move it to mean[i].",
         "`return mean + normal * np.sqrt(np.diag(P0))` (one row a run; P0 is diagonal).",
     ],
-    inputs=sized(believed_starts, 2, 3, 6, 1),
+    inputs=in_turn(believed_starts, 2, 3, 6, 1),
     wrong=WRONG["true_starts"],
     fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},
     then="With starts like these the mean NEES before the first reading is 4, the number of states; with the published ones it is 0.",

@@ -3,7 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._hints import tried
-from kflearn.exercises._turns import sized
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 
@@ -191,7 +191,7 @@ def smaller(first, second):
         "Root times transposed root, in this order: L Lᵀ.",
         "`P, other = one @ one.T, two @ two.T`, then `return P if np.trace(P) < np.trace(other) else other`",
     ],
-    inputs=sized(two_roots, 2, 3, 4, 1),
+    inputs=in_turn(two_roots, 2, 3, 4, 1),
     wrong={
         "as published": (
             lambda one, two: one @ one.T,

@@ -6,7 +6,7 @@ from kflearn import rmse
 from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
 from kflearn.exercises._temperature_and_free_fall import WRONG
-from kflearn.exercises._turns import sized
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 
@@ -49,7 +49,7 @@ def days(rng, count):
         "Start with the variance of a reading, R. The first reading is used up by the start: the loop runs over `z[1:]`.",
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
-    inputs=sized(days, 3, 6, 4, 1, 9),
+    inputs=in_turn(days, 3, 6, 4, 1, 9),
     wrong=WRONG["room_filter"],
     then="x = 0 and P = 10⁶ with a loop over all readings give nearly the same: a start that vague takes over the first reading, with P = R.",
 )
@@ -111,7 +111,7 @@ def draws(rng, steps):
         "Stretch the first row by the root of Q₁₁ and the second by the root of Q₂₂; leave the array (2, N).",
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
-    inputs=sized(draws, 3, 5, 2, 1, 6),
+    inputs=in_turn(draws, 3, 5, 2, 1, 6),
     wrong=WRONG["noise"],
     fixed={"Q": "height and velocity are two states, so Q is always two by two"},
     then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
@@ -136,7 +136,7 @@ def published_falls(rng, T):
         "`above = x[:, 0] > 0` chooses the moments, as in `mean[above, 0]`. The velocity is state 1; the ± of a number is a root.",
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
-    inputs=sized(published_falls, 6, 8, 7, 10),
+    inputs=in_turn(published_falls, 6, 8, 7, 10),
     wrong=_falling_report.WRONG["honest_report"],
     fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
     then="Always print what ignoring gives beside the filter's error: it is the line that the published report leaves out.",

@@ -9,7 +9,7 @@ from kflearn.exercises._cart_with_gaps import FAILING, PASSING, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._train_and_ship import WRONG
-from kflearn.exercises._turns import sized
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -61,7 +61,7 @@ def positions(rng, count):
         "Five differences in a row add up to one: the average at k is `(z[k] - z[k - 5]) / (5 * dt)`.",
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
-    inputs=sized(positions, 6, 9, 7, 14),
+    inputs=in_turn(positions, 6, 9, 7, 14),
     wrong=WRONG["running_average"],
     then="All readings in between cancel, so five differences together scatter by a fifth of one, not by 1/√5 of it.",
 )
@@ -84,7 +84,7 @@ def fix_errors(rng, count):
         "`errors.mean(axis=0)`, and the squared distance of a fix is `np.sum(errors**2, axis=1)`.",
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
-    inputs=sized(fix_errors, 3, 12, 5, 2),
+    inputs=in_turn(fix_errors, 3, 12, 5, 2),
     wrong=WRONG["report"],
     then="The two need each other: a large mean says that something is biased, and no filter with zero-mean R will remove it.",
 )
