@@ -89,11 +89,12 @@ class Exercise:
 class ValueExercise(Exercise):
     """The learner hands in a number, an array, a Gaussian or a tuple of these."""
 
-    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, right):
+    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, right, also=()):
         super().__init__(solution, hints, wrong, unit, 2e-3 if rtol is None else rtol, atol, then)
-        self.right, self.subject = right, f"your answer (in {unit})" if unit else "your answer"
+        self.right, self.also = right, list(also)
+        self.subject = f"your answer (in {unit})" if unit else "your answer"
         self.wrong = {label: (value() if callable(value) else value, text) for label, (value, text) in wrong.items()}
-        known = {"right answer": right}
+        known = {"right answer": right} | {f"right answer {value}": value for value in self.also}
         for label, (value, _) in self.wrong.items():
             twin = next((other for other in known if self._compare(value, known[other]) is None), None)
             if twin:
@@ -106,7 +107,7 @@ class ValueExercise(Exercise):
     def _judge(self, answer, printed):
         """The outcome for an answer: the sentence of a wrong one in the table, or what is wrong with it."""
         complaint = self._compare(answer, self.right)
-        if complaint is None:
+        if complaint is None or any(self._compare(answer, other) is None for other in self.also):
             return self._right(self._confirmation())
         lessons = [sentence for value, sentence in self.wrong.values() if self._compare(answer, value) is None]
         named = None if lessons or "should" in complaint else self._rule(answer)
@@ -216,7 +217,8 @@ class FunctionExercise(Exercise):
             except KeyboardInterrupt:
                 raise
             except BaseException as error:
-                return Outcome(*told(error, answer, self._called(case)))
+                known = number >= 3 and self._lesson(answer, results)  # a known mistake, until the sizes do not fit
+                return Outcome("wrong", known) if known else Outcome(*told(error, answer, self._called(case)))
             if number == 0:
                 printed.close_after_first(len(self.cases))
         if all(map(unfinished, results)):
@@ -234,13 +236,19 @@ class FunctionExercise(Exercise):
         return ", ".join(f"{name} = {show(value)}" for name, value in zip(self.parameters, case, strict=False))
 
     def _lesson(self, answer, results):
-        """The sentence of the wrong function in the table that gives the same results."""
+        """The sentence of the wrong function in the table that gives the same results, as far as there are results."""
         for label, (wrong, sentence) in self.wrong.items():
-            pairs = zip(results, self.cases, strict=True)
-            same = all(self._compare(result, wrong(*copy.deepcopy(case))) is None for result, case in pairs)
+            same = all(self._gives(wrong, *pair) for pair in zip(self.cases, results, strict=False))
             if same and (label not in self.only_if or _rules.source_has(answer, self.only_if[label])):
                 return sentence
         return None
+
+    def _gives(self, wrong, case, result):
+        """Whether a wrong function gives this result; not every one can be called with all sizes."""
+        try:
+            return self._compare(result, wrong(*copy.deepcopy(case))) is None
+        except (ValueError, IndexError, np.linalg.LinAlgError):
+            return False
 
     def _explained(self, answer, results, rights, faults):
         """What a rule says of the results, or else the first trial that fails, beside what was expected."""

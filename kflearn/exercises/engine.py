@@ -23,7 +23,7 @@ from kflearn.exercises._messages import LEAD, Message, Outcome
 __all__ = ["LEAD", "Exercise", "Mark", "Message", "Outcome", "exercise", "exercises_of", "judged"]
 
 
-def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None) -> Callable:
+def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=()) -> Callable:
     """Make an exercise from its solution function, whose docstring is the question.
 
     Parameters
@@ -48,6 +48,8 @@ def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, t
         What is said after "right": a consequence, the reason or a next question. Choices need it.
     fixed : dict, optional
         {parameter: why}: inputs that are the same in all trials, or of one size.
+    also : list, optional
+        Other values that are right, such as one with 1.96 σ where the solution takes 2 σ.
 
     Returns
     -------
@@ -88,7 +90,7 @@ def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, t
             raise ValueError(f"{solution.__name__}: inputs are given, but the solution has no parameters")
         right = solution()
         is_choice = isinstance(right, (str, bool, np.bool_, set, frozenset))
-        return (ChoiceExercise if is_choice else ValueExercise)(*settings, right)
+        return (ChoiceExercise if is_choice else ValueExercise)(*settings, right, also)
 
     return make
 

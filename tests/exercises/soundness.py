@@ -29,9 +29,10 @@ def assert_sound(each):
     for untouched in UNTOUCHED + (UNTOUCHED_FUNCTIONS if isinstance(each, FunctionExercise) else ()):
         assert each.check(untouched).status == "not attempted", f"{each.name}: untouched is not recognised"
     assert len(each.hints) >= 2, f"{each.name}: two hints or more are wanted"
-    for hint in each.hints:
+    hints = [hint(None) if callable(hint) else hint for hint in each.hints]
+    for hint in hints:
         assert re.search(r"\w \S.*[.?!…:)`]$", hint, re.S), f"{each.name}: this hint is no sentence: {hint!r}"
-    for hint in each.hints[:-1]:
+    for hint in hints[:-1]:
         assert not gives_away(hint, each), f"{each.name}: this hint gives the answer away: {hint!r}"
     assert_solved(each)
 

@@ -247,3 +247,20 @@ def test_answers_are_left_as_they_were():
     answer = np.array([[13.0, 6.5], [6.0, 3.0]])
     lopsided.check(answer)
     assert answer.tolist() == [[13, 6.5], [6, 3]]
+
+
+def test_a_known_mistake_is_known_where_other_sizes_stop_it():
+    """H for Hᵀ: with square matrices it gives a wrong number, with others an error."""
+    rows = iter([2, 2, 2, 2, 3] * 4)
+
+    @exercise(
+        hints=["First step.", "Second step."],
+        inputs=lambda rng: (rng.normal(size=(next(rows), 2)),),
+        wrong={"H for Hᵀ": (lambda H: np.eye(2) @ H, "You left out the transpose.")},
+    )
+    def turned(H):
+        """Hᵀ after the identity."""
+        return np.eye(2) @ H.T
+
+    assert "You left out the transpose" in turned.check(lambda H: np.eye(2) @ H).text
+    assert turned.check(lambda H: np.eye(2) @ H @ np.eye(3)).status == "raised"
