@@ -23,7 +23,9 @@ from kflearn.exercises._messages import LEAD, Message, Outcome
 __all__ = ["LEAD", "Exercise", "Mark", "Message", "Outcome", "exercise", "exercises_of", "judged"]
 
 
-def exercise(*, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=()) -> Callable:
+def exercise(
+    *, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=()
+) -> Callable:
     """Make an exercise from its solution function, whose docstring is the question.
 
     Parameters

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._turns import in_turn, is_about
 from kflearn.exercises.engine import exercise
 
 
@@ -24,8 +25,13 @@ from kflearn.exercises.engine import exercise
             63.5,
             "63.5 is halfway between the smallest and the largest reading. The mean uses all three.",
         ),
+        "the last two": (64, "64 is the mean of the last two readings. The first counts as much as they do."),
+        "the first two": (61.5, "61.5 is the mean of the first two readings. The third counts as much as they do."),
+        "the largest": (66, "66 is the largest reading. The mean uses all three."),
+        "the smallest": (61, "61 is the smallest reading. The mean uses all three."),
     },
     unit="m",
+    then="Two readings lie below the mean, by 2 m and 1 m, and one above it, by 3 m: the distances on both sides are equal.",
 )
 def three_readings():
     """The mean of the readings 61, 62 and 66 m."""
@@ -62,8 +68,10 @@ def three_readings():
         ),
         "one too many": (101, "101 is more than needed: 0.1 m itself is allowed."),
         "one too few": (99, "With 99 readings σ is 0.1005 m: just not there yet."),
+        "1/σ": (0.1, "0.1 m is the σ that is wanted. How many readings bring it about?"),
     },
     unit="readings",
+    then="For 0.01 m you would need 10,000 readings: one more digit costs a hundred times as many.",
 )
 def readings_needed():
     """How many readings with σ = 1 m bring the σ of their mean down to 0.1 m?"""
@@ -72,7 +80,8 @@ def readings_needed():
 
 def next_readings(rng):
     """A mean, the number of readings with the new one, the new reading."""
-    return int(rng.integers(20, 41)) / 2, int(rng.integers(2, 10)), int(rng.integers(20, 41)) / 2
+    mean = int(rng.integers(20, 41)) / 2
+    return mean, int(rng.integers(2, 10)), mean + float(rng.choice([-6.5, -2, 1.5, 3, 7]))
 
 
 @exercise(
@@ -127,7 +136,17 @@ def next_readings(rng):
             lambda mean, n, z: mean + (z - mean) // n,
             "// rounds down to a whole number. Divide with a single /.",
         ),
+        "only the step": (lambda mean, n, z: (z - mean) / n, "That is the step alone. Add it to the old mean."),
+        "times n": (
+            lambda mean, n, z: mean + n * (z - mean),
+            "You multiplied the surprise by n. A single reading among many must move the mean less, not more.",
+        ),
+        "zn over all": (
+            lambda mean, n, z: z / n,
+            "That is the share of the new reading. The share of the old mean is missing.",
+        ),
     },
+    then="The gain 1/n goes to zero: the thousandth reading moves the mean by a thousandth of the surprise. What happens if the length changes after all?",
 )
 def update_mean(mean, n, z):
     """The mean of n readings, from the mean of the first n − 1 and the n-th reading z."""
@@ -136,8 +155,12 @@ def update_mean(mean, n, z):
 
 @exercise(
     hints=[
-        "95 % of the readings lie within ±2σ. So which part of the 6 m is σ?",
-        "σ = 6/2 metres. R is a variance: square it.",
+        lambda last: (
+            "You have σ. Is R a σ or its square?"
+            if is_about(last, 3)
+            else "95 % of the readings lie within ±2σ. So which part of the 6 m is σ?"
+        ),
+        "σ is 6/2 metres. R is a variance: square it.",
         "σ = 3 m, R = 3² = 9 m².",
     ],
     wrong={
@@ -160,10 +183,14 @@ def update_mean(mean, n, z):
             lambda: math.sqrt(3),
             "You took the root of σ. From a standard deviation to a variance you square.",
         ),
-        "12": (12, "You doubled the 6 m. It is 2σ: halve it, then square."),
+        "12": (12, "12 is neither (6/2)² nor 6²: halve the 6 m first, then square the result."),
+        "half of half": (2.25, "You took 6 m for the whole width. It is ±6 m, so the width is 12 m, and 6 m is 2σ."),
+        "6 by 2² the wrong way": (1.5, "You divided by 2². The 2 belongs to σ = 6/2; then square."),
     },
     unit="m²",
-    rtol=0.05,  # who divides by 1.96 finds 9.37
+    rtol=5e-3,
+    also=[(6 / 1.96) ** 2],
+    then="With 1.96 in place of 2 it is 9.37 m², which is right as well: no data sheet is as exact as that.",
 )
 def data_sheet():
     """R for a receiver whose data sheet says ±6 m at 95 %."""
@@ -171,18 +198,18 @@ def data_sheet():
     return sigma**2
 
 
-def errors(rng):
+def errors(rng, n):
     """Some errors, not centred on zero."""
-    return (rng.integers(-8, 9, 6) / 2 + 1.5,)
+    return (rng.integers(-8, 9, n) / 2 + 1.5,)
 
 
 @exercise(
     hints=[
         "Read the name backwards: first square, then take the mean, then the root. Which of these does the published line do?",
         "`error**2` squares every entry of an array, `np.mean` takes the mean, `np.sqrt` the root.",
-        "return np.sqrt(np.mean(error**2))",
+        "`return np.sqrt(np.mean(error**2))`",
     ],
-    inputs=errors,
+    inputs=in_turn(errors, 2, 6, 9, 3),
     wrong={
         "as published": (
             lambda error: np.mean(abs(error)),
@@ -224,8 +251,21 @@ def errors(rng):
             lambda error: np.max(abs(error)),
             "That is the largest error: one bad reading decides everything.",
         ),
+        "mean squared": (
+            lambda error: np.mean(error) ** 2,
+            "You took the mean first, so that errors of +5 and −5 m cancel, and the root is missing. Square each error, then mean, then root.",
+        ),
+        "no square": (
+            lambda error: np.sqrt(np.mean(abs(error))),
+            "You took the root, but nothing was squared before: square each error first.",
+        ),
+        "variance for the mean square": (
+            lambda error: np.sqrt(np.var(error, ddof=1) if len(error) > 1 else 0.0),
+            "You took the scatter about the mean error. An error that all readings share does not show in it: do not subtract the mean.",
+        ),
     },
     unit="m",
+    then="For normally distributed errors the mean absolute error is 0.80 σ: that is why the published line looks a fifth better than it is.",
 )
 def root_mean_square(error):
     """The root mean square of an array of errors, which a published program replaces by their mean absolute value."""
