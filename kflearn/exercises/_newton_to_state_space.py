@@ -89,6 +89,18 @@ WRONG = {
             lambda dt, mass: (np.eye(2), column(0.0, dt / mass)),
             "Nothing ever moves your position: (1) adds v·dt to it, and the push adds dt²/2m.",
         ),
+        "a flat B": (
+            lambda dt, mass: (moving(dt), np.array([dt**2 / 2, dt]) / mass),
+            "The numbers are right. But your B is flat, of shape (2,): a row for each state, a column for each input, shape (2, 1).",
+        ),
+        "B in a row": (
+            lambda dt, mass: (moving(dt), np.array([[dt**2 / 2, dt]]) / mass),
+            "The numbers are right. But your B is a row: a row for each state, a column for each input, shape (2, 1).",
+        ),
+        "mass in F": (
+            lambda dt, mass: (np.array([[1.0, dt], [0.0, 1 / mass]]), column(dt**2 / 2, dt) / mass),
+            "B is right. No mass belongs in F: without a force the cart keeps its velocity, however heavy it is.",
+        ),
         "the order of the pair": (
             lambda dt, mass: (column(dt**2 / 2, dt) / mass, moving(dt)),
             "Both are right, in the wrong order: return F first, then B.",

@@ -19,8 +19,8 @@ def in_turn(make, *sizes):
     return lambda rng: make(rng, *np.atleast_1d(next(turns)).tolist())
 
 
-def is_about(answer, number) -> bool:
-    """Whether a learner's last answer, which may be anything, is this number within one per cent.
+def is_about(answer, number, within=0.01) -> bool:
+    """Whether a learner's last answer, which may be anything, is this number, within one per cent or another share.
 
     Examples
     --------
@@ -28,6 +28,6 @@ def is_about(answer, number) -> bool:
     (True, False)
     """
     try:
-        return abs(float(answer) - number) <= 0.01 * abs(number)
+        return abs(float(answer) - number) <= within * abs(number)
     except Exception:  # an answer that is no number
         return False
