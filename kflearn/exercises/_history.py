@@ -94,6 +94,30 @@ WRONG = {
             lambda K, n: 1.0,
             "That is the sum of the weights. Return the n weights themselves, as an array.",
         ),
+        "too few": (
+            lambda K, n: K * (1 - K) ** np.arange(n - 1),
+            "One weight is missing: the oldest reading, at which the estimate starts, has one too.",
+        ),
+        "too many": (
+            lambda K, n: np.append(K * (1 - K) ** np.arange(n), (1 - K) ** n),
+            "That is one weight too many: there are n readings, the oldest included.",
+        ),
+        "1 − K last": (
+            lambda K, n: with_last(K * (1 - K) ** np.arange(n), 1 - K),
+            "For n = 2 it is right. For more readings the oldest has been multiplied by 1 − K once for each reading after it.",
+        ),
+        "powers of K": (
+            lambda K, n: K ** np.arange(n),
+            "You took powers of K. Each new reading leaves the part 1 − K of what was there.",
+        ),
+        "K for all": (
+            lambda K, n: with_last(np.full(n, K), 1 - K),
+            "An older reading counts less than a newer one: its weight is multiplied by 1 − K for each reading after it.",
+        ),
+        "K last": (
+            lambda K, n: with_last(K * (1 - K) ** np.arange(n), K),
+            "The oldest reading is where the estimate starts; it was multiplied by 1 − K for each reading after it.",
+        ),
     },
     "mended": {
         "as published": (
@@ -149,6 +173,12 @@ WRONG = {
                 np.sum((1 - K) ** (np.arange(len(z)) + 1) * z) / np.sum(K * (1 - K) ** (np.arange(len(z)) + 1))
             ),
             "The powers run the wrong way: the last reading is the newest, so its power is 0. And divide by the sum of the very weights that you used.",
+        ),
+        "the first reading": (lambda z, K: z[0], "You return the first reading. All readings have a weight."),
+        "the newest reading": (lambda z, K: z[-1], "You return the newest reading. The older ones have a weight too."),
+        "K and 1 − K swapped": (
+            lambda z, K: np.sum(K ** np.arange(len(z))[::-1] * z) / np.sum(K ** np.arange(len(z))),
+            "K and 1 − K are swapped: the weight falls by the factor 1 − K from a reading to the one before.",
         ),
     },
 }

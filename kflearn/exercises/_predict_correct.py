@@ -113,6 +113,34 @@ WRONG = {
             lambda: F @ P @ F.T + np.diag([1.0, 4.0]),
             "Q is upside down: diag(4, 1) has 4 for the position and 1 for the velocity.",
         ),
+        "Q as a row": (
+            lambda: F @ P @ F.T + np.array([4, 1]),
+            "You added [4, 1] to each row. diag(4, 1) is a matrix with 4 and 1 on the diagonal and zeros in the corners: np.diag([4, 1]).",
+        ),
+        "Q times dt": (
+            lambda: F @ P @ F.T + 2 * Q,
+            "You multiplied Q by dt. It is given for this step: add it as it is.",
+        ),
+        "Q times dt²": (
+            lambda: F @ P @ F.T + 4 * Q,
+            "You multiplied Q by dt². It is given for this step: add it as it is.",
+        ),
+        "P Fᵀ": (
+            lambda: P @ F.T + Q,
+            "You left out the F on the left. The error stands twice in a covariance, and both must be moved: F P Fᵀ.",
+        ),
+        "F(P + Q)Fᵀ": (
+            lambda: F @ (P + Q) @ F.T,
+            "You added Q before the step and moved it along. It belongs to this step: first F P Fᵀ, then add Q.",
+        ),
+        "Q for the position only": (
+            lambda: F @ P @ F.T + np.diag([4.0, 0.0]),
+            "You added Q for the position only. The velocity is jolted too: 1 at the lower right.",
+        ),
+        "only moved the position": (
+            lambda: [[16, 7], [7, 4]],
+            "In the upper left you forgot a part: P₁₁ + 2·dt·P₁₂ + dt²·P₂₂ + Q₁₁, with the corner counted twice.",
+        ),
     },
     "correct": {
         "H for Hᵀ in the gain": (
@@ -210,72 +238,46 @@ WRONG = {
             ),
             "Your x is right. In P you took away K R Kᵀ, which a reading adds. Take away K H P.",
         ),
-    },
-    "misprints": {
-        "as published": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, P @ F @ P, z, H, R, begin=F @ F @ x),
-            "That is still the published step: line two and line four are both misprinted.",
+        "I − K H alone": (
+            lambda x, P, z, H, R: (correction(gain_of(P, H, R), x, P, z, H)[0], np.eye(len(x)) - gain_of(P, H, R) @ H),
+            "Your x is right. For P you stopped at I − K H: multiply P by it.",
         ),
-        "only line four": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, P @ F @ P, z, H, R),
-            "The stray F is gone. Line two remains: P F P should be F P Fᵀ + Q.",
-        ),
-        "only line two": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T + Q, z, H, R, begin=F @ F @ x),
-            "Line two is mended. Line four still moves the state a second time: begin the walk at x_pred, not at F @ x_pred.",
-        ),
-        "Q still missing": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T, z, H, R),
-            "The sandwich F P Fᵀ is right and the stray F is gone; but the jolts are missing: add Q.",
-        ),
-        "Q missing, stray F": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T, z, H, R, begin=F @ F @ x),
-            "The sandwich F P Fᵀ is right. Q is still missing behind it, and line four still has a second F.",
-        ),
-        "P F P + Q": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, P @ F @ P + Q, z, H, R),
-            "The stray F is gone and Q is there. But P F P has the filling outside: F P Fᵀ.",
-        ),
-        "F P F": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F + Q, z, H, R),
-            "The stray F is gone. In line two the right-hand F must be transposed: F P Fᵀ + Q.",
-        ),
-        "Fᵀ P F": (
-            lambda x, P, z, F, H, Q, R: step(F @ x, F.T @ P @ F + Q, z, H, R),
-            "The stray F is gone. In line two the transpose is on the wrong side: F P Fᵀ + Q.",
-        ),
-        "F in the innovation": (
-            lambda x, P, z, F, H, Q, R: step(F @ F @ x, F @ P @ F.T + Q, z, H, R),
-            "Line two is mended. But now F acts twice on the state, in the innovation too: x_pred is F @ x, moved once.",
-        ),
-        "not predicted at all": (
-            lambda x, P, z, F, H, Q, R: step(x, F @ P @ F.T + Q, z, H, R),
-            "One F too many was taken out: x_pred = F @ x stays, only the second F, in line four, has to go.",
-        ),
-        "never predicted": (
-            lambda x, P, z, F, H, Q, R: step(x, P, z, H, R),
-            "That is a correction alone. Predict first: x_pred = F @ x and P_pred = F P Fᵀ + Q.",
-        ),
-        "innovation with the old state": (
-            lambda x, P, z, F, H, Q, R: (
-                F @ x + gain_of(F @ P @ F.T + Q, H, R) @ (z - H @ x),
-                step(F @ x, F @ P @ F.T + Q, z, H, R)[1],
+        "P(I − K H)": (
+            lambda x, P, z, H, R: (
+                correction(gain_of(P, H, R), x, P, z, H)[0],
+                P @ (np.eye(len(x)) - gain_of(P, H, R) @ H),
             ),
-            "P is right. But the innovation compares z with the state of a second ago: use x_pred.",
+            "Your x is right. In P the order is the other way round: (I − K H) stands on the left.",
         ),
-        "the old P at the end": (
-            lambda x, P, z, F, H, Q, R: (
-                step(F @ x, F @ P @ F.T + Q, z, H, R)[0],
-                P - gain_of(F @ P @ F.T + Q, H, R) @ H @ P,
-            ),
-            "The new x is right. But the last line shrinks the P of a second ago: use P_pred.",
+        "the step alone": (
+            lambda x, P, z, H, R: (gain_of(P, H, R) @ (z - H @ x), P - gain_of(P, H, R) @ H @ P),
+            "Your P is right. The first result is the step alone: add it to x.",
         ),
-        "the gain from the old P": (
-            lambda x, P, z, F, H, Q, R: (
-                F @ x + gain_of(P, H, R) @ (z - H @ F @ x),
-                F @ P @ F.T + Q - gain_of(P, H, R) @ H @ (F @ P @ F.T + Q),
+        "half of Joseph": (
+            lambda x, P, z, H, R: (
+                correction(gain_of(P, H, R), x, P, z, H)[0],
+                (np.eye(len(x)) - gain_of(P, H, R) @ H) @ P @ (np.eye(len(x)) - gain_of(P, H, R) @ H).T,
             ),
-            "Your gain is made of the P of a second ago. Use P_pred in line three.",
+            "Your x is right. The form with (I − K H) on both sides needs K R Kᵀ as well; or use it once, as in (9).",
+        ),
+        "Hᵀ P H": (
+            lambda x, P, z, H, R: correction(P @ H.T @ np.linalg.inv(H.T @ P @ H + R), x, P, z, H),
+            "In your gain H and Hᵀ are exchanged inside the inverse: H P Hᵀ + R.",
+        ),
+        "K S taken away": (
+            lambda x, P, z, H, R: (
+                correction(gain_of(P, H, R), x, P, z, H)[0],
+                P - gain_of(P, H, R) @ (H @ P @ H.T + R),
+            ),
+            "Your x is right. In P you took K S away; (9) takes K H P away.",
+        ),
+        "both kept": (
+            lambda x, P, z, H, R: (x, P),
+            "You return what came in. First the gain, then the new x and the new P.",
+        ),
+        "minus R": (
+            lambda x, P, z, H, R: correction(P @ H.T @ np.linalg.inv(H @ P @ H.T - R), x, P, z, H),
+            "You took R away from H P Hᵀ. The innovation contains both errors, so their covariances add.",
         ),
     },
 }

@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 
 def balance(Q, R):
     """The steady gain of the scalar random walk."""
@@ -43,7 +41,10 @@ WRONG = {
             lambda: balance(0.01, 0.25) * 0.5,
             "You multiplied the gain by σ. It is the variance that is K·R: take the root after that.",
         ),
-        "√K": (lambda: math.sqrt(balance(0.01, 0.25)), "You took the root of the gain. First multiply by R: P = K·R."),
+        "√K": (
+            lambda: math.sqrt(balance(0.01, 0.25)),
+            "That is 2σ, or the root of the gain without R: with R = 0.25 the two are one number. P = K·R, and one σ is asked for.",
+        ),
         "√Q": (
             0.1,
             "0.1 °C is √Q, what the temperature wanders in a minute. What the filter knows of it also depends on R.",
@@ -51,6 +52,20 @@ WRONG = {
         "P before": (
             lambda: balance(0.01, 0.25) * 0.25 + 0.01,
             "That is P⁻ = P + Q, a variance, before the reading. The question asks for σ after it.",
+        ),
+        "ratio": (0.04, "That is the ratio q = Q/R. The gain follows from it, then P = K·R, then the root."),
+        "R": (0.25, "That is R, a variance, of the thermometer alone. The filter does better; and σ is a root."),
+        "Q + R": (
+            0.26,
+            "You added Q and R. The filter's variance is smaller than that of a single reading, not larger.",
+        ),
+        "Q": (
+            lambda: 0.01,
+            "That is Q, a variance: what the temperature wanders in a minute. What the filter knows also depends on R.",
+        ),
+        "fused, not rooted": (
+            lambda: 0.01 * 0.25 / 0.26,
+            "Q and R alone do not tell it: what was left over counts too, P⁻ = P + Q. And σ is a root.",
         ),
     },
     "data_sheets": {
@@ -118,102 +133,29 @@ WRONG = {
             (6.25, 0.09, 0.125),
             "(a) and (b) are right. In (c) the limit is a = 0.25 V, half of a step, and the variance is a²/3.",
         ),
-    },
-    "three_sigma": {
-        "as published": (
-            lambda at_rest: (3 * np.std(at_rest)) ** 2,
-            "That is the published R again, nine times too large: a bound for the worst reading is no variance.",
+        "(b) doubled": (
+            lambda: (6.25, 1.44, 0.25**2 / 3),
+            "(a) and (c) are right. In (b) you doubled: 0.6 °C contains the 2 of 2σ already. Halve it, then square.",
         ),
-        "3σ²": (
-            lambda at_rest: 3 * np.var(at_rest),
-            "Still three times too large. R is σ² itself; no 3 belongs in it.",
+        "(b) the limit itself": (
+            lambda: (6.25, 0.6, 0.25**2 / 3),
+            "(a) and (c) are right. In (b), 0.6 °C is 2σ: halve it, then square.",
         ),
-        "σ": (lambda at_rest: np.std(at_rest), "That is σ. R is a variance, σ²."),
-        "3σ": (lambda at_rest: 3 * np.std(at_rest), "That is 3σ, a length on the volt axis. R is σ², in V²."),
-        "(σ/3)²": (
-            lambda at_rest: np.var(at_rest) / 9,
-            "Now R is nine times too small. σ was measured here, not read off a sheet with 3σ on it: no 3 is needed.",
+        "(c) the step itself": (
+            (6.25, 0.09, 0.5),
+            "(a) and (b) are right. In (c), rounding is wrong by half of a step at most, a = 0.25 V, and the variance is a²/3.",
         ),
-        "mean square": (
-            lambda at_rest: np.mean(np.square(at_rest)),
-            "You took the mean of the squares, with the 12 V or so still in it. Take off the mean first, as np.var does.",
+        "(c) a step of 1 V": (
+            lambda: (6.25, 0.09, 1 / 3),
+            "(a) and (b) are right. In (c) the step is half a volt, so an error is a = 0.25 V at most, and the variance is a²/3.",
         ),
-        "differences": (
-            lambda at_rest: np.mean(np.diff(at_rest) ** 2) / 2,
-            "Sound, and what the next exercise wants; but this source rests, and the plain variance uses the readings better.",
+        "numbers of the sheets": (
+            (2.5, 0.6, 0.25),
+            "These are the numbers of the sheets. Which of them is σ, which 2σ, which a hard limit? And R is a variance.",
         ),
-        "differences, not halved": (
-            lambda at_rest: np.mean(np.diff(at_rest) ** 2),
-            "A difference holds two noises, so this is twice too large; and at rest the plain variance is enough.",
-        ),
-        "(2σ)²": (
-            lambda at_rest: (2 * np.std(at_rest)) ** 2,
-            "You put 2σ in place of 3σ. No factor belongs in R: it is σ² itself.",
-        ),
-        "the sum": (
-            lambda at_rest: np.sum((at_rest - np.mean(at_rest)) ** 2),
-            "That is the sum of the squared distances. Divide it by their number.",
-        ),
-        "the range": (
-            lambda at_rest: (np.ptp(at_rest) / 6) ** 2,
-            "You took the range for six sigmas. How far apart the two extremes lie depends on how many readings there are: use all of them.",
-        ),
-        "half": (
-            lambda at_rest: np.mean(abs(at_rest - np.mean(at_rest))) ** 2,
-            "You squared the mean distance. Square each distance first, then take the mean.",
-        ),
-    },
-    "R_with_drift": {
-        "variance": (
-            lambda readings: np.var(readings),
-            "The plain variance takes the drift for noise. Look at the differences of neighbours, in which it hardly shows.",
-        ),
-        "not halved": (
-            lambda readings: np.mean(np.diff(readings) ** 2),
-            "Nearly: a difference holds the noise of two readings, so its mean square is 2R. Halve it.",
-        ),
-        "half of σ": (
-            lambda readings: (np.std(np.diff(readings)) / 2) ** 2,
-            "You halved before squaring. The variance of a difference is 2R, so its σ is √2 times the meter's, not 2 times.",
-        ),
-        "standard deviation": (
-            lambda readings: np.sqrt(np.mean(np.diff(readings) ** 2) / 2),
-            "That is the meter's σ. R is its square.",
-        ),
-        "σ of the differences": (
-            lambda readings: np.std(np.diff(readings)),
-            "That is the σ of a difference. R is a variance, and a difference holds two noises.",
-        ),
-        "mean of the differences": (
-            lambda readings: np.mean(np.diff(readings)),
-            "That is the drift for each reading: the noises cancel. Square the differences before you take their mean.",
-        ),
-        "straight line removed": (
-            lambda readings: np.var(
-                readings - np.polyval(np.polyfit(range(len(readings)), readings, 1), range(len(readings)))
-            ),
-            "You removed a straight line, but this drift is not straight. Differences of neighbours need no shape for it.",
-        ),
-        "second half only": (
-            lambda readings: np.var(readings[len(readings) // 2 :]),
-            "Half of the drift is still in there. Differences of neighbours hold next to none of it.",
-        ),
-        "σ of the differences, halved": (
-            lambda readings: np.std(np.diff(readings)) / 2,
-            "That is half the σ of a difference. Work with squares: the mean *square* of a difference is 2R.",
-        ),
-        "not squared": (
-            lambda readings: np.mean(np.diff(readings)) / 2,
-            "You did not square the differences: positive and negative ones cancel. Square first, then take the mean.",
-        ),
-        "sum": (lambda readings: np.sum(np.diff(readings) ** 2) / 2, "You added the squares up. Take their mean."),
-        "absolute": (
-            lambda readings: np.mean(abs(np.diff(readings))) / 2,
-            "That is a mean distance, in volts. R is in V²: square the differences before you take the mean.",
-        ),
-        "published": (
-            lambda readings: (3 * np.std(readings)) ** 2,
-            "That is (3σ)² again, with the drift in it as well. Look at the differences of neighbours.",
+        "(c) over 12": (
+            lambda: (6.25, 0.09, 0.25**2 / 12),
+            "(a) and (b) are right. In (c) the 12 belongs to the whole step, 0.5 V; with the limit a = 0.25 V it is a²/3.",
         ),
     },
 }

@@ -53,6 +53,24 @@ WRONG = {
             "A gain of 1 would believe the reading alone; that is how the filter starts. Go on to the second reading.",
         ),
         "Q alone": (4, "4 V² is a variance. The gain is a pure number, between 0 and 1."),
+        "0.8": (
+            0.8,
+            "0.8 would need a variance of 16 V² before the reading. After the first reading P is 4 V², and Q adds 4 V².",
+        ),
+        "0.2": (
+            0.2,
+            "0.2 would need a variance of 1 V² before the reading. After the first reading P is 4 V², and Q adds to it.",
+        ),
+        "1 − 0.618": (
+            0.382,
+            "That is 1 minus the gain at which the filter comes to rest. Calculate the second one: P grows by Q, then K is formed.",
+        ),
+        "0.4": (0.4, "0.4 is no part that P⁻ can have: with P⁻ = P + Q, which part of P⁻ + R is P⁻?"),
+        "0.25": (
+            0.25,
+            "A gain of 0.25 would need a prediction with a third of R. P grows by Q before the gain is formed: it is larger than R.",
+        ),
+        "sum": (12, "12 V² is P⁻ + R, which stands below the line of the gain."),
     },
     "steady_gain": {
         "Q / (Q + R)": (
@@ -94,7 +112,7 @@ WRONG = {
         ),
         "sign of q": (
             lambda Q, R: (math.sqrt((Q / R) ** 2 + 4 * Q / R) + Q / R) / 2,
-            "You solved K² − qK − q = 0. Look at the sign of the middle term: a gain is at most 1.",
+            "That is P⁻/R, or the solution of K² − qK − q = 0. A gain is a part of the whole, P⁻/(P⁻ + R), and at most 1: K² + qK − q = 0.",
         ),
         "P before the reading": (
             lambda Q, R: R * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2 + Q,
@@ -120,9 +138,22 @@ WRONG = {
             lambda Q, R: after(Q, R, 20),
             "After 20 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
         ),
-        "30 steps": (
-            lambda Q, R: after(Q, R, 30),
-            "After 30 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
+        "q": (lambda Q, R: Q / R, "That is the ratio q = Q/R. The gain follows from it: K² + qK − q = 0."),
+        "√q": (
+            lambda Q, R: math.sqrt(Q / R),
+            "√q is nearly right for a small Q only; a gain is never larger than 1. Solve K² + qK − q = 0.",
+        ),
+        "K Q": (
+            lambda Q, R: Q * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
+            "You multiplied the gain by Q. The gain is a pure number.",
+        ),
+        "ratio of σ": (
+            lambda Q, R: (math.sqrt(Q / R + 4 * math.sqrt(Q / R)) - math.sqrt(Q / R)) / 2,
+            "Your q is a ratio of standard deviations. Q and R are variances: q = Q/R.",
+        ),
+        "half": (
+            lambda Q, R: 0.5,
+            "You return 1/2 whatever Q and R are. The more the source moves, the larger the gain.",
         ),
     },
     "is_unknown": {
@@ -155,52 +186,21 @@ WRONG = {
             lambda x: np.isnan(x[:2]).any(),
             "You look at the first two entries only. A state may have more: let np.isnan look at all of them.",
         ),
-    },
-    "auto_start": {
-        "H⁻¹R only": (
-            lambda z, H, R: (np.linalg.solve(H, z), np.linalg.solve(H, R)),
-            "Your x is right. P lacks its right-hand factor: H⁻¹R is not symmetric, and no covariance; multiply by H⁻ᵀ.",
+        "only the middle": (
+            lambda x: np.isnan(x[len(x) // 2]),
+            "You look at one entry only; NaN may sit in any of them.",
         ),
-        "P = R": (
-            lambda z, H, R: (np.linalg.solve(H, z), R),
-            "Your x is right. R is the covariance of z; that of x = H⁻¹z is H⁻¹RH⁻ᵀ.",
+        "first and last": (
+            lambda x: np.isnan(x[0]) or np.isnan(x[-1]),
+            "You look at the first and the last entry only; NaN may sit between them.",
         ),
-        "H⁻¹RH⁻¹": (
-            lambda z, H, R: (np.linalg.solve(H, z), np.linalg.solve(H, R) @ np.linalg.inv(H)),
-            "Your x is right. In P the second inverse must be transposed: H⁻¹RH⁻ᵀ.",
+        "finite": (
+            lambda x: np.isfinite(x).any(),
+            "You ask whether any entry is known, or whether not all are unknown. The question is whether any is unknown.",
         ),
-        "HRHᵀ": (
-            lambda z, H, R: (np.linalg.solve(H, z), H @ R @ H.T),
-            "Your x is right. HRHᵀ goes from states to measurements; here you go back, with inverses.",
-        ),
-        "z itself": (
-            lambda z, H, R: (z, R),
-            "You returned z and R. They belong to the measurement, not to the state: undo H first. The two agree only for H = 1.",
-        ),
-        "Hz": (
-            lambda z, H, R: (H @ z, H @ R @ H.T),
-            "You applied H once more instead of undoing it: z = Hx, so x = H⁻¹z.",
-        ),
-        "z for x": (
-            lambda z, H, R: (z, np.linalg.inv(H) @ R @ np.linalg.inv(H).T),
-            "P is right. But z is the measurement: for the state, undo H here too.",
-        ),
-        "transposes exchanged": (
-            lambda z, H, R: (np.linalg.inv(H) @ z, np.linalg.inv(H).T @ R @ np.linalg.inv(H)),
-            "Your x is right. In P the transpose is on the wrong side: the error of x is H⁻¹v, so H⁻¹ stands on the left.",
-        ),
-        "H⁻¹RH": (
-            lambda z, H, R: (np.linalg.inv(H) @ z, np.linalg.inv(H) @ R @ H),
-            "Your x is right. In P both sides undo H: the right-hand factor is the transpose of H⁻¹.",
-        ),
-        "Hᵀ for H⁻¹": (lambda z, H, R: (H.T @ z, H.T @ R @ H), "You used Hᵀ where the inverse of H is needed."),
-        "divided": (
-            lambda z, H, R: (z / np.diag(H), R / np.outer(np.diag(H), np.diag(H))),
-            "You divided by the diagonal of H. The corners count too: use the inverse of the matrix.",
-        ),
-        "entry by entry": (
-            lambda z, H, R: ((z / H), R / H**2),
-            "You divided by H entry by entry. A matrix is undone by its inverse: np.linalg.inv or np.linalg.solve.",
+        "each, from a list": (
+            lambda x: [bool(np.isnan(value)) for value in x],
+            "You return an answer for each entry. One answer for the whole state is wanted: is any of them True?",
         ),
     },
 }

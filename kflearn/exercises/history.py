@@ -83,6 +83,19 @@ def dates():
             lambda: 1 - CONSTANT_GAIN,
             "That is what one reading leaves to all older ones. Ten readings leave (1 − K)¹⁰.",
         ),
+        "j from 1": (
+            lambda: sum(CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** j for j in range(1, 11)),
+            "You added j = 1 to 10. The newest reading has j = 0.",
+        ),
+        "the newest alone": (0.2207, "That is the newest reading alone. Add the nine before it."),
+        "as a list": (
+            lambda: [CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** j for j in range(10)],
+            "These are the ten weights. Add them up.",
+        ),
+        "the rest in per cent": (
+            lambda: 100 * (1 - CONSTANT_GAIN) ** 10,
+            "That is the share of all older readings, in per cent. The ten newest have what is left of the whole.",
+        ),
     },
     then="With a tenth of this gain, the newest ten readings would have only 20 % of the weight.",
 )
@@ -159,6 +172,18 @@ def exponential_weights(K, n):
         "1 − K below": (
             lambda: 0.3 / (1 - CONSTANT_GAIN),
             "You divided by 1 − K. Each night the estimate goes the part K of the way, so K belongs below the line.",
+        ),
+        "nights of 1/K": (
+            lambda: 1 / CONSTANT_GAIN,
+            "1/K is a number of nights. Each is worth 0.3 s, and the last of them has been caught up with.",
+        ),
+        "not at all": (
+            0,
+            "A constant gain never catches up with a steady drift: each night the part 1 − K of the new distance is left.",
+        ),
+        "two nights": (
+            lambda: 0.3 * (1 - CONSTANT_GAIN) + 0.3 * (1 - CONSTANT_GAIN) ** 2,
+            "That is the distance after the second night. It goes on growing until each night takes away what it adds.",
         ),
     },
     unit="s",

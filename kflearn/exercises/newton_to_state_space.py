@@ -110,6 +110,34 @@ def motion(dt, mass):
             [[1, 0], [1000, 0], [0, 3.6]],
             "A metre has 1,000 millimetres; the second tape reads centimetres.",
         ),
+        "two rows": (
+            [[1, 0], [0, 3.6]],
+            "There are three sensors, so H has three rows: the tape in centimetres has one of its own.",
+        ),
+        "three columns": (
+            [[1, 0, 0], [0, 100, 0], [0, 0, 3.6]],
+            "There are three sensors and two states: three rows, two columns. Both tapes ask for the same state, the position.",
+        ),
+        "36": (
+            [[1, 0], [100, 0], [0, 36]],
+            "The tapes are right. One metre per second is 3,600 m in an hour: how many kilometres?",
+        ),
+        "cm of the velocity": (
+            [[1, 0], [0, 100], [0, 3.6]],
+            "Your second tape reads the velocity. It reads the position, in centimetres: 100 stands in the first column.",
+        ),
+        "rows turned": (
+            [[0, 3.6], [100, 0], [1, 0]],
+            "The rows are right, but in another order: first the tape in metres, then the one in centimetres, then the speedometer.",
+        ),
+        "tapes exchanged": (
+            [[100, 0], [1, 0], [0, 3.6]],
+            "The two tapes have changed places: first the one in metres.",
+        ),
+        "speedometer with position": (
+            [[1, 0], [100, 0], [1, 3.6]],
+            "The tapes are right. The speedometer does not see the position: its first entry is 0.",
+        ),
     },
     then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )
@@ -213,6 +241,27 @@ def one_after_the_other(F, x, order=(0, 1)):
             lambda F, x: np.array([(F[0, 0] + F[0, 1]) * x[0], (F[1, 0] + F[1, 1]) * x[1]]),
             "Each entry of F meets its own number: F[0, 1] belongs to x[1], and F[1, 0] to x[0].",
         ),
+        "second without F[1, 0]": (
+            lambda F, x: np.array([F[0] @ x, F[1, 1] * x[1]]),
+            "The first entry is right. The second lacks F[1, 0] times x[0].",
+        ),
+        "first without F[0, 1]": (
+            lambda F, x: np.array([F[0, 0] * x[0], F[1] @ x]),
+            "The second entry is right. The first lacks F[0, 1] times x[1].",
+        ),
+        "F[0, 1] for F[1, 0]": (
+            lambda F, x: np.array([F[0] @ x, F[0, 1] * x[0] + F[1, 1] * x[1]]),
+            "The first entry is right. The second uses the second row of F: F[1, 0], not F[0, 1].",
+        ),
+        "a column": (
+            lambda F, x: (F @ x)[:, None],
+            "The numbers are right, but you return a column, of shape (2, 1). The state is flat: two numbers.",
+        ),
+        "only the second": (
+            lambda F, x: F[1] @ x,
+            "You return the second entry only. Return both, as an array of two numbers.",
+        ),
+        "unchanged": (lambda F, x: x, "You return the old state. Where are the new entries?"),
     },
     then="The cart was lucky: its F[1, 0] is 0, so its second line does not ask for x[0] at all.",
     fixed={

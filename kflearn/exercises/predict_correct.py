@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._predict_correct import WRONG, other_letters
+from kflearn.exercises._predict_correct_misprints import WRONG as MORE
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -85,7 +86,7 @@ def whole_steps(rng, n, m):
         "P_pred = F @ P @ F.T + Q, and x_new = x_pred + K @ (z - H @ x_pred); the other lines stay.",
     ],
     inputs=in_turn(whole_steps, (1, 1), (2, 1), (3, 2), (2, 2)),
-    wrong=WRONG["misprints"],
+    wrong=MORE["misprints"],
     then="A covariance is symmetric, and P·F·P is not as soon as the velocity is uncertain: a test of symmetry would have found this misprint.",
 )
 def misprints(x, P, z, F, H, Q, R):

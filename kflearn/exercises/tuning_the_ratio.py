@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._tuning_the_ratio import WRONG
+from kflearn.exercises._tuning_the_ratio_readings import WRONG as MORE
 from kflearn.exercises._turns import in_turn, is_about
 from kflearn.exercises.engine import exercise
 
@@ -85,7 +86,7 @@ def recordings_at_rest(rng, n):
     ],
     inputs=in_turn(recordings_at_rest, 250, 400, 1000),
     rtol=5e-3,
-    wrong=WRONG["three_sigma"],
+    wrong=MORE["three_sigma"],
     then="With R nine times too large the gain at Q = R falls from 0.62 to 0.28, and the estimate comes late.",
 )
 def three_sigma(at_rest):
@@ -108,7 +109,7 @@ def drifting_recordings(rng, n):
     ],
     inputs=in_turn(drifting_recordings, 300, 400, 900),
     rtol=1e-2,
-    wrong=WRONG["R_with_drift"],
+    wrong=MORE["R_with_drift"],
     then="It works as long as the drift from one reading to the next is small beside the noise. What would a sudden step of the source do to it?",
 )
 def R_with_drift(readings):

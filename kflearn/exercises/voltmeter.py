@@ -8,6 +8,7 @@ from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._judge import Mark
 from kflearn.exercises._turns import in_turn, is_about
 from kflearn.exercises._voltmeter import WRONG
+from kflearn.exercises._voltmeter_start import WRONG as MORE
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -42,7 +43,7 @@ def noises(rng):
         "K = (√(q² + 4q) − q) / 2; or simply `P = R`, then a hundred times `P = (P + Q) * R / (P + Q + R)`.",
     ],
     inputs=noises,
-    rtol=1e-4,  # for a recursion of a hundred steps, or one that stops when it rests
+    rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
     wrong=WRONG["steady_gain"],
     then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
@@ -53,12 +54,11 @@ def steady_gain(Q, R):
 
 
 def starts(rng, n):
-    """A state of n numbers, of which none, the first, the last, some or all are unknown."""
+    """A state of n numbers, of which none, the first, the last, one in between, some or all are unknown."""
     x = rng.integers(-9, 10, n).astype(float)
-    where = rng.choice(["none", "first", "last", "some", "all"])
-    x[{"none": [], "first": [0], "last": [-1], "some": rng.permutation(n)[: (n + 1) // 2], "all": range(n)}[where]] = (
-        np.nan
-    )
+    where = rng.choice(["none", "first", "last", "middle", "some", "all"])
+    some, middle = rng.permutation(n)[: (n + 1) // 2], [int(rng.integers(1, n - 1))] if n > 2 else []
+    x[{"none": [], "first": [0], "last": [-1], "middle": middle, "some": some, "all": range(n)}[where]] = np.nan
     return (x,)
 
 
@@ -91,7 +91,7 @@ def first_measurements(rng, n):
         "`A = np.linalg.inv(H)`, then `return A @ z, A @ R @ A.T`",
     ],
     inputs=in_turn(first_measurements, 1, 2, 3, 2),
-    wrong=WRONG["auto_start"],
+    wrong=MORE["auto_start"],
     then="A correction that starts from any x with a P that grows beyond all bounds tends to the same x and P: this is the start of somebody who knew nothing.",
 )
 def auto_start(z, H, R):
@@ -135,6 +135,16 @@ def auto_start(z, H, R):
             8.0,
             "8 V² is the sum of the two variances. Fusing makes the variance smaller than each.",
         ),
+        "12 V": (12, "12 V is the mean of the source. How far off is the best answer?"),
+        "golden": (
+            0.618034,
+            "That is the gain of the filter with its random walk. Here the reading is fused with N(12, 4), by lesson 4.",
+        ),
+        "in the constant world": (
+            1.35,
+            "1.35 V is the filter's error for a source that does not move. Here it jumps about 12 V.",
+        ),
+        "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
     },
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )
