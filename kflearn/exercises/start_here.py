@@ -134,8 +134,8 @@ def update_mean(mean, n, z):
 )
 def data_sheet():
     """R for a receiver whose data sheet says ±6 m at 95 %."""
-    sigma = 6 / 2
-    return sigma**2
+    half = 6 / 2  # σ
+    return half**2
 
 
 def errors(rng, n):

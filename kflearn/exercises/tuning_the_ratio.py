@@ -39,7 +39,7 @@ def steady_sigma():
         "(a) 2.5² = 6.25 m²; (b) 0.3² = 0.09 °C²; (c) 0.25²/3 = 0.0208 V².",
     ],
     wrong=WRONG["data_sheets"],
-    rtol=1e-2,
+    rtol=5e-3,
     then="With 1.96 in place of 2, (b) is 0.0937 °C², which is right as well. The σ of the rounding, 0.144 V, is less than a third of the step.",
     also=[(2.5**2, (0.6 / 1.96) ** 2, 0.25**2 / 3)],
 )
