@@ -145,8 +145,8 @@ def _to_three_digits(given, right):
 
 
 def _is_rounded(given, right):
-    """Whether a typed number is the right one, rounded to the digits that were typed."""
-    return any(given == float(f"{right:.{digits}g}") for digits in (1, 2)) if isinstance(right, float) else False
+    """Whether a typed number is the right one, rounded to two digits."""
+    return isinstance(right, float) and not right.is_integer() and given == float(f"{right:.2g}")
 
 
 def _relatives(right):

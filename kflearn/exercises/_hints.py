@@ -45,11 +45,17 @@ def of_choice(words, otherwise) -> Callable:
     return lambda last: words.get(last.strip().casefold() if isinstance(last, str) else None, otherwise)
 
 
-def is_about(answer, value) -> bool:
-    """Whether an answer, which may be anything, is within 1 % of a value."""
+def is_about(answer, value, within=0.01) -> bool:
+    """Whether a learner's last answer, which may be anything, is this value, within one per cent or another share.
+
+    Examples
+    --------
+    >>> is_about(62, 62.1), is_about("a text", 62)
+    (True, False)
+    """
     try:
-        return bool(np.allclose(np.ravel(np.asarray(answer, float)), np.ravel(value), rtol=0.01, atol=1e-12))
-    except Exception:
+        return bool(np.allclose(np.ravel(np.asarray(answer, float)), np.ravel(value), rtol=within, atol=1e-12))
+    except Exception:  # an answer that is no number
         return False
 
 

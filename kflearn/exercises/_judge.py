@@ -34,7 +34,7 @@ class Mark(NamedTuple):
     def verdict(self, number):
         """None where the number passes; else what to look at."""
         if not np.isfinite(number):
-            return "it is not finite: does the filter return a number for each reading?"
+            return "It is not finite: does the filter return a number for each reading?"
         if self.low is not None and number < self.low:
             return self.below
         return self.above if self.high is not None and number > self.high else None

@@ -1,4 +1,4 @@
-"""For the authors of exercises: inputs of several sizes, and answers that a hint may look at."""
+"""For the authors of exercises: inputs of several sizes."""
 
 import itertools
 
@@ -17,17 +17,3 @@ def in_turn(make, *sizes):
     """
     turns = itertools.cycle(sizes)
     return lambda rng: make(rng, *np.atleast_1d(next(turns)).tolist())
-
-
-def is_about(answer, number) -> bool:
-    """Whether a learner's last answer, which may be anything, is this number within one per cent.
-
-    Examples
-    --------
-    >>> is_about(62, 62.1), is_about("a text", 62)
-    (True, False)
-    """
-    try:
-        return abs(float(answer) - number) <= 0.01 * abs(number)
-    except Exception:  # an answer that is no number
-        return False

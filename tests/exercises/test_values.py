@@ -228,5 +228,5 @@ def test_another_value_may_be_right_too():
     each = made(9.0, also=[9.371], wrong={"root": (3, "That is σ.")})
     assert each.check(9).status == each.check(9.37).status == "right"
     assert each.check(9.2).status == "wrong"
-    with pytest.raises(ValueError, match="'twin' cannot be told from the 'right answer 9.371'"):
+    with pytest.raises(ValueError, match=r"'twin' cannot be told from the 'right answer 9.371'"):
         made(9.0, also=[9.371], wrong={"twin": (9.37, "No.")})
