@@ -146,9 +146,9 @@ def false_range(sigma, turn, across):
     return sigma * across / np.sqrt((sigma * H) ** 2 + across**2)
 
 
-def some_errors(rng, shape):
+def some_errors(rng, runs, steps):
     """Errors of a few runs, steps and nine states."""
-    return (rng.integers(-9, 10, (*shape, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
+    return (rng.integers(-9, 10, (runs, steps, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
 
 
 @exercise(
