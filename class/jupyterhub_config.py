@@ -70,7 +70,12 @@ def named(variable, otherwise):
     return os.environ.get(variable, otherwise)
 
 
-if JupyterHub.initialized() and (found := obstacles.obstacle(named("CLASS_REPOSITORY", ""))):  # only when a hub starts
+repository, branch = named("CLASS_REPOSITORY", ""), named("CLASS_BRANCH", "main")
+creates = named("CLASS_ACCOUNTS", "") == "create"
+learners = obstacles.listed(Path(named("CLASS_LEARNERS", HERE / "learners.txt")))
+teachers = set(named("CLASS_TEACHERS", "").split())
+new = {*learners, *teachers} if creates else ()
+if JupyterHub.initialized() and (found := obstacles.obstacle(repository, branch, new)):  # only when a hub starts
     sys.exit(f"The class server was not started. {found}")
 
 c = get_config()  # noqa: F821 (JupyterHub puts this function here)
@@ -90,17 +95,14 @@ c.ConfigurableHTTPProxy.pid_file = f"{state}/proxy.pid"
 # Who may sign in: Unix accounts with their passwords, of the names in the lists. No one can register. JupyterHub adds
 # teachers to a list of learners by itself, but not when that is empty; and it would go on letting everybody in whom it
 # has ever known, so that a name taken off the list would change nothing.
-learners = Path(named("CLASS_LEARNERS", HERE / "learners.txt"))
-names = learners.read_text(encoding="utf-8").splitlines() if learners.exists() else []
-teachers = set(named("CLASS_TEACHERS", "").split())
 c.JupyterHub.authenticator_class = ClassAuthenticator
 c.Authenticator.allow_all = False
-c.Authenticator.allowed_users = {name.strip() for name in names if name.strip() and name[0] != "#"} | teachers
+c.Authenticator.allowed_users = {*learners, *teachers}
 c.Authenticator.admin_users = teachers
 c.Authenticator.allow_existing_users = False
 c.Authenticator.auth_refresh_strict = True  # also for tokens
 c.PAMAuthenticator.open_sessions = False
-c.LocalAuthenticator.create_system_users = named("CLASS_ACCOUNTS", "") == "create"
+c.LocalAuthenticator.create_system_users = creates
 c.LocalAuthenticator.add_user_cmd = ["adduser", "--quiet", "--gecos", "", "--disabled-password"]
 
 # A server each, in the learner's own home. Numerical libraries get one thread: thirty learners share the cores.
@@ -119,8 +121,8 @@ c.Spawner.http_timeout = 120
 
 # The notebooks: nbgitpuller copies the course, and later merges what is new without touching a learner's changes.
 c.Spawner.default_url = "/lab"
-if repository := named("CLASS_REPOSITORY", ""):
-    pull = dict(repo=repository, branch=named("CLASS_BRANCH", "main"), targetpath=COURSE)
+if repository:
+    pull = dict(repo=repository, branch=branch, targetpath=COURSE)
     c.Spawner.default_url = "/git-pull?" + urlencode(pull | {"urlpath": f"lab/tree/{COURSE}/{FIRST}"})
 
 # What a kernel and its server say to each other is encrypted: else whoever has an account of the machine can listen.

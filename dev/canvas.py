@@ -1,9 +1,10 @@
 """Is the canvas in the browser the picture that matplotlib makes? For the tests, and to look at.
 
-    python -m dev.canvas 05              the playgrounds of lesson 05: share of points that differ, worst pictures
+    python -m dev.canvas 05              the playgrounds of lesson 05: share of points that differ
+    python -m dev.canvas 05 folder       and the pictures: the canvas above, matplotlib's own below
 
-`keep` runs where the playground lives and writes what `painted` draws in Chromium: each setting's operations and
-points, and the same picture by matplotlib's Agg renderer.
+`keep` runs where the playground lives and writes what `shares` draws in Chromium: each setting's operations and points,
+and the same picture by matplotlib's Agg renderer.
 
 A point differs visibly where its colour is further than VISIBLE from every one of the nine points around the same place
 in the other picture, by the largest of the differences in red, green and blue, of 255: edges are smoothed a little
@@ -20,115 +21,136 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from dev import lessons as course
-
 SCRIPT = Path(__file__).parents[1] / "kflearn" / "ui" / "playground.js"
 VISIBLE, RATIOS = 64, (1.0, 2.0)
+MOST = 0.01  # of the points of a picture may differ
 
-PAINT = """async ([about, files, still]) => {
+PAINT = """async ([{ about, files, still, agg }, visible, wanted]) => {
   const { paint } = await import(window.script);
   const bytes = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
   const bitmap = text => createImageBitmap(new Blob([bytes(text)], { type: "image/png" }));
-  const images = await Promise.all([still, ...files.slice(1)].map(bitmap));
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [images[0].width, images[0].height];
-  const pen = canvas.getContext("2d");
-  pen.drawImage(images[0], 0, 0);
-  paint(pen, about, new Float32Array(bytes(files[0]).buffer), images.slice(1));
-  for (const side of about.legends) pen.drawImage(images[0], ...side, ...side);
-  return canvas.toDataURL().split(",")[1];
+  const [below, other, ...images] = await Promise.all([still, agg, ...files.slice(1)].map(bitmap));
+  const { width, height } = below;
+  const [canvas, pen] = board(width, height);
+  pen.drawImage(below, 0, 0);
+  paint(pen, about, new Float32Array(bytes(files[0]).buffer), images);
+  for (const side of about.legends) pen.drawImage(below, ...side, ...side);
+  const [, reader] = board(width, height);
+  reader.drawImage(other, 0, 0);
+  const [ours, theirs] = [pen, reader].map(pen => pen.getImageData(0, 0, width, height).data);
+  return [differing(ours, theirs, width, height, visible), wanted ? canvas.toDataURL().split(",")[1] : ""];
+
+  function board(width, height) {
+    const canvas = Object.assign(document.createElement("canvas"), { width, height });
+    return [canvas, canvas.getContext("2d", { willReadFrequently: true })];
+  }
+  function differing(one, two, width, height, visible) {
+    const far = (a, i, b, j) => [0, 1, 2].some(k => Math.abs(a[i + k] - b[j + k]) > visible);
+    const missed = (a, i, b, x, y) => {
+      for (let v = Math.max(0, y - 1); v <= Math.min(height - 1, y + 1); v++)
+        for (let u = Math.max(0, x - 1); u <= Math.min(width - 1, x + 1); u++)
+          if (!far(a, i, b, 4 * (v * width + u))) return false;
+      return true;
+    };
+    const [first, second] = [one, two].map(each => new Uint32Array(each.buffer));
+    let count = 0;
+    for (let k = 0; k < width * height; k++) {
+      if (first[k] === second[k] || !far(one, 4 * k, two, 4 * k)) continue;
+      const [x, y] = [k % width, Math.floor(k / width)];
+      if (missed(one, 4 * k, two, x, y) || missed(two, 4 * k, one, x, y)) count += 1;
+    }
+    return count / (width * height);
+  }
 }"""
 
 
 def settings(playground):
-    """The start, and each control at each of its ends while the others are at their start."""
+    """The start, and each control at each of its ends while the others are at their start; all buttons."""
     yield {}
     for name, control in playground.controls.items():
-        for value in control.ends():
+        for value in control.ends()[:: 2 if hasattr(control, "low") else 1]:
             if value != control.start:
                 yield {name: value}
+
+
+def text(file):
+    return base64.b64encode(file).decode()
+
+
+def pair(stage, sides, still):
+    """What is recorded of a stage as it is now, and what Agg draws, for PAINT; the first two are `stage.still()`."""
+    about, files = stage.record()
+    agg = io.BytesIO()
+    Image.fromarray(stage.pixels()[..., :3]).save(agg, "png", compress_level=1)
+    return dict(about=about | sides, files=[text(file) for file in files], still=text(still), agg=text(agg.getvalue()))
 
 
 def keep(playground, folder):
     """Write every setting at both ratios: what is recorded, and what Agg draws."""
     stage, start = playground._stage, {name: control.start for name, control in playground.controls.items()}
-    Path(folder).mkdir(parents=True)
+    folder.mkdir(parents=True)
     for ratio in RATIOS:
         stage.show_at(ratio)
-        sides, still = stage.still()
-        Path(folder, f"still-{ratio:g}.png").write_bytes(still)
+        still = stage.still()
         for number, setting in enumerate(settings(playground)):
             playground.update(stage.artists, **start | setting)
-            about, files = stage.record()
-            files = [base64.b64encode(file).decode() for file in files]
-            name = f"{number:02d}-{ratio:g}"
-            told = dict(about=about | sides, files=files, setting=f"{setting or 'start'} at ratio {ratio:g}")
-            Path(folder, f"{name}.json").write_text(json.dumps(told), encoding="utf-8")
-            Image.fromarray(stage.pixels()[..., :3]).save(Path(folder, f"{name}.png"), compress_level=1)
+            told = pair(stage, *still) | dict(setting=f"{setting or 'start'} at ratio {ratio:g}")
+            Path(folder, f"{number:02d}-{ratio:g}.json").write_text(json.dumps(told), encoding="utf-8")
     stage.show_at(1.0)
     playground.update(stage.artists, **playground.values)
 
 
-def painted(page, folder):
-    """For each setting in a folder, its words, the share of points that differ, and the two pictures."""
-    for path in sorted(Path(folder).glob("*.json")):
+def keep_all(playgrounds, folder):
+    """What `keep` does for each playground of a lesson, in a folder that holds nothing yet."""
+    for number, playground in enumerate(playgrounds):
+        keep(playground, Path(folder, str(number)))
+
+
+def share(page, told):
+    """The share of the points that differ visibly in one pair."""
+    return page.evaluate(PAINT, [told, VISIBLE, False])[0]
+
+
+def shares(page, folder):
+    """For each setting of a lesson, its words and the share of points that differ."""
+    for path in sorted(Path(folder).rglob("*.json")):
         told = json.loads(path.read_text(encoding="utf-8"))
-        still = base64.b64encode(Path(folder, f"still-{path.stem.split('-')[1]}.png").read_bytes()).decode()
-        answer = page.evaluate(PAINT, [told["about"], told["files"], still])
-        ours = np.asarray(Image.open(io.BytesIO(base64.b64decode(answer))).convert("RGB"))
-        theirs = np.asarray(Image.open(path.with_suffix(".png")).convert("RGB"))
-        yield told["setting"], different(ours, theirs).mean(), ours, theirs
+        yield f"playground {path.parent.name}, {told.pop('setting')}", share(page, told)
 
 
-def different(one, other):
-    """Which points (height, width) differ visibly, seen from either picture."""
-    return _missed(one, other) | _missed(other, one)
-
-
-def _missed(one, other):
-    nearest = np.full(one.shape[:2], 255)
-    padded = np.pad(other.astype(np.int16), ((1, 1), (1, 1), (0, 0)), mode="edge")
-    height, width = one.shape[:2]
-    for down in range(3):
-        for right in range(3):
-            part = padded[down : down + height, right : right + width]
-            nearest = np.minimum(nearest, abs(part - one).max(axis=-1))
-    return nearest > VISIBLE
+def pictures(page, folder, target):
+    """Write both pictures of each setting, one above the other."""
+    for path in sorted(Path(folder).rglob("*.json")):
+        told = json.loads(path.read_text(encoding="utf-8"))
+        both = page.evaluate(PAINT, [told, VISIBLE, True])[1], told["agg"]
+        arrays = [np.asarray(Image.open(io.BytesIO(base64.b64decode(each))).convert("RGB")) for each in both]
+        Image.fromarray(np.concatenate(arrays)).save(Path(target, f"{path.parent.name}-{path.stem}.png"))
 
 
 def page(chromium):
     """A page that has loaded the course's own script."""
     made = chromium.new_page()
     made.goto("about:blank")
-    script = base64.b64encode(SCRIPT.read_bytes()).decode()
-    made.evaluate("text => { window.script = `data:text/javascript;base64,${text}`; }", script)
+    made.evaluate("text => { window.script = `data:text/javascript;base64,${text}`; }", text(SCRIPT.read_bytes()))
     return made
 
 
-def main(number):
+def main(number, target=None):
+    from dev import lessons as course
     from dev.hard.grid import inside
     from dev.lab import browser
 
     (path,) = (path for path in course.lessons() if path.name[:2] == number)
     with tempfile.TemporaryDirectory() as folder:
-        inside(path, "from dev import canvas", f"canvas.keep_all(globals(), {folder!r})")
+        begin = "from dev import canvas as _canvas\nfrom dev.hard import grid as _grid"
+        inside(path, begin, f"_canvas.keep_all(_grid.shown(globals()), {folder!r})")
         with browser() as chromium:
             blank = page(chromium)
-            for place in sorted(Path(folder).glob("*")):
-                for words, share, ours, theirs in painted(blank, place):
-                    print(f"{100 * share:6.3f} %  {words}")
-                    if "--pictures" in sys.argv:
-                        both = Image.fromarray(np.concatenate([ours, theirs], axis=0))
-                        both.save(f"/tmp/canvas-{number}-{place.name}-{len(words)}-{share:.4f}.png")
-
-
-def keep_all(names, folder):
-    """What `keep` does for each playground of a lesson."""
-    from dev.hard.grid import shown
-
-    for number, playground in enumerate(shown(names)):
-        keep(playground, Path(folder, str(number)))
+            for words, differ in shares(blank, folder):
+                print(f"{100 * differ:6.3f} %  {words}")
+            if target:
+                pictures(blank, folder, target)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(*sys.argv[1:])

@@ -80,18 +80,20 @@ def stop(process):
 
 
 @contextmanager
-def server(folder, config=ROOT, quiet=True):
+def server(folder, config=ROOT, quiet=True, package=None):
     """A JupyterLab server for a folder, started as `make course` does; yields its URL with {} for the path of a page.
 
     config : the folder with jupyter_server_config.py, or None for Jupyter as it comes
     quiet : without the pop-up that asks about news of Jupyter
+    package : a folder with another kflearn than the one that is installed
     """
     port, token = free_port(), secrets.token_hex(16)
     command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}"]
     command += [f"--IdentityProvider.token={token}", f"--ServerApp.root_dir={folder}", "--ServerApp.port_retries=0"]
-    command += ["--LabApp.expose_app_in_browser=True"]
+    command += ["--LabApp.expose_app_in_browser=True", "--JupyterNotebookApp.expose_app_in_browser=True"]
     with tempfile.TemporaryDirectory() as home:
         env, file = variables(home, config, quiet), f"{home}/log"
+        env |= {"PYTHONPATH": str(package)} if package else {}
         with open(file, "wb") as log:
             process = subprocess.Popen(command, cwd=ROOT, env=env, stdout=log, stderr=log, start_new_session=True)
         try:
@@ -116,8 +118,9 @@ def browser(*flags):
 
 WATCH = """() => {
   window.loads = []; window.keys = [];
-  document.addEventListener('load', e => { if (e.target.tagName == 'IMG') loads.push(performance.now()) }, true);
-  document.addEventListener('kf-picture', () => loads.push(performance.now()), true);
+  const came = () => loads.push(performance.now());
+  document.addEventListener('load', e => e.target.matches?.('.jp-OutputArea img') && came(), true);
+  document.addEventListener('kf-picture', came, true);
   document.addEventListener('keydown', e => keys.push(performance.now()), true);
 }"""
 
@@ -138,16 +141,20 @@ ASK = """async code => {
 
 
 class Lab:
-    """A notebook open in JupyterLab. Sliders, number boxes and pictures are counted from 0 in the order of the page."""
+    """A notebook open in JupyterLab, or in Notebook 7; `how` is for the page, such as device_scale_factor=2.
 
-    def __init__(self, chromium, url, name, width=1280, height=1000):
-        self.page = chromium.new_page(viewport={"width": width, "height": height})
+    Sliders, number boxes and pictures are counted from 0 in the order of the page."""
+
+    def __init__(self, chromium, url, name, width=1280, height=1000, seven=False, **how):
+        self.page = chromium.new_page(viewport={"width": width, "height": height}, **how)
         self.page.set_default_timeout(30_000)
-        self.page.goto(url.format(f"lab/workspaces/{secrets.token_hex(4)}/tree/{name}"))  # no other notebook beside it
+        place = "notebooks" if seven else f"lab/workspaces/{secrets.token_hex(4)}/tree"  # no other notebook beside it
+        self.page.goto(url.format(f"{place}/{name}"))
         self.page.locator(".jp-NotebookPanel .jp-Cell").first.wait_for()
         self.page.wait_for_function("() => jupyterapp.shell.currentWidget?.sessionContext?.session?.kernel")
         self.page.evaluate("() => jupyterapp.shell.currentWidget.sessionContext.ready")
-        self.page.evaluate("() => jupyterapp.commands.execute('application:toggle-left-area')")
+        if not seven:
+            self.page.evaluate("() => jupyterapp.commands.execute('application:toggle-left-area')")
         self.page.evaluate(WATCH)
         self.before = 0  # pictures that had come before the last thing done
 

@@ -26,11 +26,9 @@ def main():
             lab.settle()
             lab.type(0, "0.708")
             lab.settle()
-            playground = lab.page.locator(".widget-vbox:has(.widget-image)").first
+            playground = lab.page.locator(".kf-playground").first
             playground.scroll_into_view_if_needed()
-            box, image = playground.bounding_box(), playground.locator(".widget-image").bounding_box()
-            clip = dict(x=box["x"], y=box["y"] + 2, width=image["width"], height=box["height"] - 2)
-            lab.page.screenshot(path=TARGET, clip=clip)
+            lab.page.screenshot(path=TARGET, clip=playground.bounding_box())
     print(TARGET.relative_to(ROOT))
 
 

@@ -1,17 +1,30 @@
-"""How quickly a picture follows a slider, in JupyterLab in a real browser: the course's playground beside `interact`.
+"""How quickly a picture follows a slider, in JupyterLab in a real browser: the course's playground beside `interact`,
+and beside itself as it was when pictures were PNG files.
 
     python -m dev.bench.playground
 
-Both draw the same: a Kalman filter over 200 steps, two axes, 800 × 500 pixels. Printed are the time from a key to the
-new picture (median), the pictures a second while a slider is dragged, and the ratios.
+All draw the same: a Kalman filter over 200 steps, two axes, 800 × 500 pixels. Printed are medians of five rounds: the
+time from a key to the new picture; pictures a second, and for each movement of the pointer, while a slider is dragged;
+the processor's time in the kernel for a picture, with the filter; what goes to the browser for it.
 """
 
+import io
 import statistics
+import subprocess
 import sys
+import tarfile
 import tempfile
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import NamedTuple
 
-from dev.lab import CHROMIUM, Lab, browser, notebook, server
+from dev.bench import goals
+from dev.lab import CHROMIUM, ROOT, Lab, browser, notebook, server
+
+OLD = "c9f65fa"  # the last commit before pictures were drawn in the browser
+PLAIN, LIVE, SLOW = "interact with pyplot", "playground", "playground, without jupyter_server_config.py"
+BEFORE = f"playground of {OLD}"
+MOVES = 60  # of the pointer, there and again back
 
 FILTER = """
 import numpy as np
@@ -43,7 +56,8 @@ def update(live, Q, R):
     live[0].set(t, mean, std)
     live[1].set(t, k)
     return f"Q = {Q:g}, R = {R:g}: steady gain {k[-1]:.2f}"
-Playground(draw, update, Q=log_slider(1e-3, 1e3, 0.04), R=log_slider(1e-3, 1e3, 1), size=(8, 5))
+live = Playground(draw, update, Q=log_slider(1e-3, 1e3, 0.04), R=log_slider(1e-3, 1e3, 1), size=(8, 5))
+live
 """
 
 INTERACT = """
@@ -61,66 +75,125 @@ def picture(Q, R):
     below.set(xlabel="time / s", ylabel="gain", ylim=(0, 1.05))
     above.legend(ncols=4)
     plt.show()
-interact(picture, Q=FloatLogSlider(0.04, min=-3, max=3, step=0.05), R=FloatLogSlider(1, min=-3, max=3, step=0.05));
+ends = dict(min=-3, max=3, step=0.05)
+live = interact(picture, Q=FloatLogSlider(0.04, **ends), R=FloatLogSlider(1, **ends)).widget
 """
+
+KERNEL = """
+import time
+again = getattr(live, "refresh", None) or live.update
+def cpu(count=10):
+    begun = time.thread_time()
+    for _ in range(count):
+        again()
+    return 1000 * (time.thread_time() - begun) / count
+print(sorted(cpu() for _ in range(3))[1])
+"""
+
+# In the page: the sizes of the kernel's messages, with their buffers.
+WEIGH = """() => {
+  const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel;
+  let sum = 0;
+  const weigh = (_, { direction, msg }) => {
+    if (direction != "recv") return;
+    sum += JSON.stringify(msg.content).length;
+    for (const buffer of msg.buffers || []) sum += buffer.byteLength;
+  };
+  kernel.anyMessage.connect(weigh);
+  window.weighed = () => { kernel.anyMessage.disconnect(weigh); return sum };
+}"""
+
+
+class Round(NamedTuple):
+    """What was measured of one competitor: milliseconds, pictures a second and a movement, bytes, milliseconds."""
+
+    wait: float
+    rate: float
+    each: float
+    size: float
+    kernel: float
 
 
 def measure(lab, keys=8):
-    """Milliseconds from a key to its picture (one each for some keys), pictures a second while dragging."""
+    """One round: milliseconds from key to picture, pictures a second and for each movement while dragging, bytes."""
     lab.page.bring_to_front()
     waits = []
+    lab.page.evaluate(WEIGH)
     for i in range(keys):
         lab.press(0, "ArrowRight" if i < keys // 2 else "ArrowLeft")
         lab.settle(0.15)
         waits.append(lab.page.evaluate(f"loads[{lab.before}] - keys.at(-1)"))
-    took = lab.drag(1, -0.35, swings=2)
-    rate = (lab.pictures() - lab.before) / took
+    weight = lab.page.evaluate("weighed()") / keys
+    took = lab.drag(1, -0.35, swings=2, moves=MOVES)
+    count = lab.pictures() - lab.before
     lab.settle()
-    return waits, rate
+    return Round(statistics.median(waits), count / took, count / (2 * MOVES), weight, float(lab.ask(KERNEL)))
 
 
-PLAIN, LIVE, SLOW = "interact with pyplot", "playground", "playground, without jupyter_server_config.py"
+@contextmanager
+def old_package():
+    """A folder with the package of the commit OLD; None where git does not know it."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = ["git", "archive", "--format=tar", OLD, "kflearn"]
+        found = subprocess.run(command, cwd=ROOT, capture_output=True)
+        if found.returncode == 0:
+            with tarfile.open(fileobj=io.BytesIO(found.stdout)) as files:
+                files.extractall(folder, filter="data")
+        yield folder if found.returncode == 0 else None
 
 
-def race(rounds=3):
-    """{name: (milliseconds from key to picture, pictures a second)}, medians."""
-    with tempfile.TemporaryDirectory() as folder, browser() as chromium:
+def race(rounds=5):
+    """{name: Round of medians}; the competitors take turns in each round."""
+    with tempfile.TemporaryDirectory() as folder, browser() as chromium, ExitStack() as stack:
         notebook(Path(folder, "ours.ipynb"), FILTER, OURS)
         notebook(Path(folder, "plain.ipynb"), FILTER, INTERACT)
-        with server(folder) as url, server(folder, config=None) as slow:
-            labs = {
-                PLAIN: Lab(chromium, url, "plain.ipynb"),
-                LIVE: Lab(chromium, url, "ours.ipynb"),
-                SLOW: Lab(chromium, slow, "ours.ipynb"),
-            }
-            for lab in labs.values():
-                lab.page.bring_to_front()
-                lab.run_all()
-                lab.settle()
-            results = [{name: measure(lab) for name, lab in labs.items()} for _ in range(rounds)]  # in turns
-    return {
-        name: (
-            statistics.median(wait for result in results for wait in result[name][0]),
-            statistics.median(result[name][1] for result in results),
-        )
-        for name in labs
-    }
+        notebook(Path(folder, "old.ipynb"), FILTER, OURS.replace("kflearn.ui", "kflearn.playground"))
+        url, slow = stack.enter_context(server(folder)), stack.enter_context(server(folder, config=None))
+        labs = {PLAIN: Lab(chromium, url, "plain.ipynb"), LIVE: Lab(chromium, url, "ours.ipynb")}
+        labs[SLOW] = Lab(chromium, slow, "ours.ipynb")
+        if package := stack.enter_context(old_package()):
+            labs[BEFORE] = Lab(chromium, stack.enter_context(server(folder, package=package)), "old.ipynb")
+        for lab in labs.values():
+            lab.page.bring_to_front()
+            lab.run_all()
+            lab.slider(0)
+            lab.settle(1)
+        results = [{name: measure(lab) for name, lab in labs.items()} for _ in range(rounds)]
+    return {name: Round(*map(statistics.median, zip(*(one[name] for one in results), strict=True))) for name in labs}
 
 
 def ratios(results):
-    """How many times as quick as `interact` a picture follows a key, and as many pictures a second."""
-    return results[PLAIN][0] / results[LIVE][0], results[LIVE][1] / results[PLAIN][1]
+    """The rows that compare: name, figure, goal, whether the figure may be at most the goal."""
+    ours, plain, before = results[LIVE], results[PLAIN], results.get(BEFORE)
+    yield "key → picture, times quicker than interact", plain.wait / ours.wait, 8, False
+    if before:
+        yield f"key → picture, share of the time of {OLD}", ours.wait / before.wait, 0.5, True
+    often = before and ours.rate >= 2 * before.rate
+    if often:
+        yield f"pictures a second, times those of {OLD}", ours.rate / before.rate, 2, False
+    else:
+        yield "pictures for each movement of the pointer", ours.each, 0.9, False
+    yield "kernel's milliseconds a picture", ours.kernel, 4, True
 
 
 def table(results):
-    """The lines of a table in Markdown."""
-    yield "| | key → picture | pictures a second |"
-    yield "|---|---:|---:|"
-    for name, (wait, rate) in results.items():
-        yield f"| {name} | {wait:.0f} ms | {rate:.1f} |"
-    quicker, more = ratios(results)
-    yield f"| playground to interact | {quicker:.1f} × | {more:.1f} × |"
-    yield "| goal | ≥ 3 × | ≥ 4 ×, ≥ 15 pictures |"
+    """The lines of two tables in Markdown."""
+    yield "| | key → picture | pictures a second | for each movement | kernel, a picture | to the browser, a picture |"
+    yield "|---|---:|---:|---:|---:|---:|"
+    for name, one in results.items():
+        cells = (
+            f"{one.wait:.1f} ms",
+            f"{one.rate:.1f}",
+            f"{one.each:.2f}",
+            f"{one.kernel:.1f} ms",
+            f"{one.size / 1e3:.1f} kB",
+        )
+        yield f"| {name} | {' | '.join(cells)} |"
+    if BEFORE not in results:
+        yield f"| {BEFORE} | not raced: git does not know this commit here | | | | |"
+    yield from ["", "| the playground | | goal |", "|---|---:|---:|"]
+    for name, figure, goal, at_most in ratios(results):
+        yield f"| {name} | {goals.judged(figure, goal, at_most)} | {'≤' if at_most else '≥'} {goal} |"
 
 
 if __name__ == "__main__":

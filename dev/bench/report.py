@@ -9,7 +9,17 @@ from pathlib import Path
 from dev.bench import filters, footprint, gaps, goals, online, playground, rival_races
 
 TARGET = footprint.ROOT / "BENCHMARKS.md"
-PACKAGES = "numpy", "scipy", "matplotlib", "ipywidgets", "jupyterlab", "filterpy", "simdkalman", "statsmodels"
+PACKAGES = (
+    "numpy",
+    "scipy",
+    "matplotlib",
+    "anywidget",
+    "ipywidgets",
+    "jupyterlab",
+    "filterpy",
+    "simdkalman",
+    "statsmodels",
+)
 HEAD = "# Benchmarks\n\nWritten by `make bench`, not by hand. {machine}\n\nLoad average at the start: {load}.\n"
 SPEED = """## Filters
 
@@ -26,7 +36,8 @@ where JAX is used; the time is the best of three calls after it. Processor: how 
 100 % the machine was busy with other things. "The end only": it keeps the last estimate, not all.
 """
 PICTURES = (
-    "## From slider to picture\n\nIn JupyterLab, in headless Chromium; a filter over 200 steps, two axes, 800 × 500.\n"
+    "## From slider to picture\n\nIn JupyterLab, in headless Chromium; a filter over 200 steps, two axes, 800 × 500. "
+    "Medians of five rounds.\n"
 )
 
 

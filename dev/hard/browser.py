@@ -1,8 +1,9 @@
 """Ten minutes of a restless reader: two lessons open at once in JupyterLab, all their sliders moved without a pause.
 
-Drags, keys, typed numbers (also such as are not allowed), buttons and resets come in a random order, now in one lesson,
-now in the other, now in both at the same time. After each burst comes a rest, and everything is compared: the pictures
-and the numbers in the browser with those of the kernel, and a lesson that nobody touched with what it was before.
+Drags of sliders and in the picture, keys, typed numbers (also such as are not allowed), buttons and resets come in a
+random order, now in one lesson, now in the other, now in both at the same time. After each burst comes a rest, and
+everything is compared: the numbers in the browser with those of the kernel, the pictures with those that the kernel
+then makes anew, and a lesson that nobody touched with what it was before.
 The environment variable MINUTES makes it shorter or longer.
 
 The page's memory is that of moving sliders. Going from one cell to another is left out, with one playground in each
@@ -43,7 +44,7 @@ LISTEN = """() => {
   });
 }"""
 
-# In the kernel: the playgrounds in the order of the page, what they show, and what they should show.
+# In the kernel: the playgrounds in the order of the page, what they show, and what they should show, made anew.
 PLAYGROUNDS = """
 import json, os
 from hashlib import sha256
@@ -72,13 +73,14 @@ print(json.dumps(dict(pictures=pictures, numbers=numbers, errors=sum(one.errors 
 )
 
 SMALL = """
-from kflearn.ui import Playground, choice, log_slider, slider
+from kflearn.ui import Playground, choice, drag, log_slider, slider
 def draw(fig):
     return fig.subplots().plot([0, 100], [0, 100], "o")[0]
 def update(dots, n, q, mirror):
     dots.set_data(range(n + 1), [q * (100 - i if mirror == "yes" else i) for i in range(n + 1)])
     return f"{n} and {q}"
-Playground(draw, update, n=slider(0, 100, 50), q=log_slider(0.01, 1, 1), mirror=choice(["no", "yes"]))
+sliders = dict(n=slider(0, 100, 50), q=log_slider(0.01, 1, 1))
+Playground(draw, update, handles=[drag(x="n")], **sliders, mirror=choice(["no", "yes"]))
 """
 
 
@@ -103,13 +105,30 @@ class Reader:
 
     def move(self):
         """Do something, quickly."""
-        self.random.choices([self.drag, self.press, self.type, self.click, self.reset], [4, 4, 3, 2, 1])[0]()
+        hands = [self.drag, self.hold, self.press, self.type, self.click, self.reset]
+        self.random.choices(hands, [4, 2, 4, 3, 2, 1])[0]()
 
     def slider(self):
         return self.random.randrange(len(self.ends))
 
     def drag(self):
         self.lab.drag(self.slider(), self.random.uniform(-1, 1), self.random.choice([1, 1, 3]), moves=20)
+
+    def hold(self):
+        """Something in the picture is taken hold of, and moved on with the arrow keys."""
+        handles = self.page.locator(".kf-handle")
+        if not (count := handles.count()):
+            return self.drag()
+        handle, mouse = handles.nth(self.random.randrange(count)), self.page.mouse
+        handle.scroll_into_view_if_needed()
+        box = handle.bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        mouse.move(x, y)
+        mouse.down()
+        mouse.move(x + self.random.uniform(-150, 150), y + self.random.uniform(-80, 80), steps=15)
+        mouse.up()
+        for key in self.random.choices(KEYS[:4], k=self.random.randint(0, 3)):
+            self.page.keyboard.press(key)
 
     def press(self):
         slider = self.slider()
@@ -123,7 +142,7 @@ class Reader:
         self.lab.type(box, self.random.choice(["", "1e999", *[f"{self.random.choice(numbers):.6g}"] * 6]))
 
     def click(self):
-        buttons = self.page.locator(".widget-toggle-button")
+        buttons = self.page.locator(".kf-option")
         if count := buttons.count():
             buttons.nth(self.random.randrange(count)).click()
 
@@ -143,14 +162,16 @@ class Reader:
         return [sha256(self.lab.picture(index)).hexdigest() for index in range(self.pictures())], self.lab.numbers()
 
     def pictures(self):
-        return self.page.locator(".widget-image").count()
+        return self.page.locator(".kf-picture canvas").count()
 
     def stale(self):
         """Is there anything in the page that is not what its own kernel's values give?"""
         pictures, numbers = self.before = self.rest()
         kernel = json.loads(self.lab.ask(STATE))
         self.errors = kernel["errors"]
-        return [[one, one] for one in pictures] != kernel["pictures"] or numbers != kernel["numbers"]
+        anew, _ = self.rest()  # the kernel has just made them all again
+        drawn = all(shown == fresh for shown, fresh in kernel["pictures"])
+        return pictures != anew or numbers != kernel["numbers"] or not drawn
 
     def weigh(self):
         """Note the megabytes of kernel (RSS) and page (JavaScript's heap after a collection)."""
@@ -168,11 +189,8 @@ def both_drag(one, other):
     """The mouse of each lesson is pressed, moved and let go in turn with the other's."""
     hands = []
     for reader in (one, other):
-        slider = reader.slider()
-        box = reader.lab.handle(slider).bounding_box()
-        track = reader.page.locator(".noUi-base").nth(slider).bounding_box()
-        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-        hands.append((reader.page.mouse, x, y, reader.random.uniform(-1, 1) * track["width"] / 20))
+        x, y, length = reader.lab.knob(reader.slider())
+        hands.append((reader.page.mouse, x, y, reader.random.uniform(-1, 1) * length / 20))
         reader.page.mouse.move(x, y)
         reader.page.mouse.down()
     for step in range(20):

@@ -64,7 +64,7 @@ def teachers_files(folder):
     assert grading.returncode == 0
     shutil.rmtree(answers.parent)
     files = [folder / "assignment", *(folder / "assignment").rglob("*")]
-    assert {"gradebook.db", "points.csv", "answers.csv", "source"} <= {file.name for file in files}
+    assert {"gradebook.db", "points-04.csv", "answers-04.csv", "source"} <= {file.name for file in files}
     return files, heard
 
 

@@ -8,8 +8,8 @@ Only who made the folder can look into it, so that on a shared machine nobody fi
 Each notebook holds the exercises of one lesson, and what they need of it. An exercise is one point. Names of files that
 are handed in do not matter (`hand_ins.py` says whose and which they are). Each notebook is graded as a fresh copy with
 the learner's answers (`fresh_copy.py`), in a kernel of its own, with a time limit for each cell (`grading.py`); the
-points come from the lesson's own check. The table is printed and kept in points.csv, what each learner was told in
-answers.csv.
+points come from the lesson's own check. The table is printed and kept in points-04-05.csv, what each learner was told
+in answers-04-05.csv.
 """
 
 import argparse
@@ -228,9 +228,9 @@ def grade(course, folder):
     rows, jobs, said = course.grade(folder)
     if not rows:
         sys.exit("\n".join([f"{folder} has no notebooks and no folders of learners.", *said]))
-    write(rows, course.folder)
+    points, answers = write(rows, course.folder)
     print(f"\n{table(rows, jobs)}\n\n{report(jobs, said)}")
-    print(f"\nThe points are also in {os.path.relpath(course.folder / 'points.csv')}, the sentences in answers.csv.")
+    print(f"\nThe points are also in {os.path.relpath(points)}, the sentences in {answers.name}.")
 
 
 if __name__ == "__main__":

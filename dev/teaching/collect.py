@@ -14,6 +14,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from dev.teaching.obstacles import listed
+
 LISTED = Path(__file__).parents[2] / "class" / "learners.txt"
 FIND = ["find", "kalman", "-name", ".*", "-prune", "-o", "-type", "f", "-size", "-20M"]
 PACK = ["tar", "--create", "--dereference", "--hard-dereference", "--null", "--no-recursion", "--files-from=-"]
@@ -29,14 +31,14 @@ def run_as(account, command, given=b""):
 
 
 def collect(learner, grader, lessons):
-    """Copy a learner's files; how many."""
+    """Copy a learner's files; how many. An empty folder brings the name into the table of points all the same."""
     patterns = [word for number in lessons for word in ("-o", "-name", f"*{number:0>2}-answers*.ipynb")][1:]
     names = run_as(learner, [*FIND, "(", *patterns, ")", "-print0"]).stdout
+    target = f"{folder(grader, lessons)}/{learner.pw_name}"
+    run_as(grader, ["mkdir", "--parents", target])
     if not names:
         return 0
     packed = run_as(learner, PACK, names).stdout
-    target = f"{folder(grader, lessons)}/{learner.pw_name}"
-    run_as(grader, ["mkdir", "--parents", target])
     if run_as(grader, [*UNPACK, f"--directory={target}"], packed).returncode:
         sys.exit(f"{grader.pw_name} could not write {learner.pw_name}'s files into {target}.")
     return names.count(b"\0")
@@ -48,8 +50,7 @@ def folder(grader, lessons):
 
 def accounts(path):
     """The accounts of a list of learners. (accounts, names that have none)"""
-    lines = [line.strip() for line in path.read_text(encoding="utf-8").splitlines()]
-    names = [line.lower() for line in lines if line and not line.startswith("#")]
+    names = [name.lower() for name in listed(path)]
     known = {each.pw_name: each for each in pwd.getpwall()}
     return [known[name] for name in names if name in known], [name for name in names if name not in known]
 
@@ -72,8 +73,10 @@ def main():
     counts = {learner.pw_name: collect(learner, grader, options.lessons) for learner in learners}
     for name in filter(counts.get, counts):
         print(f"{name}: {counts[name]} file{'s' * (counts[name] > 1)}")
-    if absent := [*(name for name, number in counts.items() if not number), *unknown]:
-        print(f"No file from: {', '.join(absent)}.")
+    if absent := [name for name, number in counts.items() if not number]:
+        print(f"No file from: {', '.join(absent)}. The table of points will say: nothing handed in.")
+    if unknown:
+        print(f"No account of this name: {', '.join(unknown)}.")
     if any(counts.values()):
         print(f"The files are in {folder(grader, options.lessons)}.")
 

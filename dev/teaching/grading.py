@@ -246,19 +246,21 @@ def report(jobs, said):
 
 
 def write(rows, folder):
-    """points.csv, a line for each learner; answers.csv, a line for each answer."""
+    """points-04-05.csv, a line for each learner; answers-04-05.csv, a line for each answer. Returns the two paths."""
     asked = list(dict.fromkeys((row["lesson"], row["exercise"]) for row in rows))
     points = {(row["learner"], row["lesson"], row["exercise"]): row["points"] for row in rows}
     files = {(row["learner"], row["lesson"]): row["file"] for row in rows}
     lessons = list(dict.fromkeys(lesson for lesson, _ in asked))
-    with open(folder / "points.csv", "w", newline="", encoding="utf-8") as file:
+    tables = [folder / f"{kind}-{'-'.join(lessons)}.csv" for kind in ("points", "answers")]
+    with open(tables[0], "w", newline="", encoding="utf-8") as file:
         sheet = csv.writer(file)
         names = [f"{lesson} {name}" for lesson, name in asked]
         sheet.writerow(["learner", *names, "sum", *(f"{lesson} file" for lesson in lessons)])
         for learner in dict.fromkeys(row["learner"] for row in rows):
             got = [points[learner, *each] for each in asked]
             sheet.writerow([learner, *got, sum(got), *(files[learner, lesson] for lesson in lessons)])
-    with open(folder / "answers.csv", "w", newline="", encoding="utf-8") as file:
+    with open(tables[1], "w", newline="", encoding="utf-8") as file:
         sheet = csv.DictWriter(file, ["learner", "lesson", "exercise", "points", "said", "file"])
         sheet.writeheader()
         sheet.writerows(rows)
+    return tables

@@ -13,6 +13,7 @@ started by itself, for its memory.
 import argparse
 import asyncio
 import json
+import math
 import os
 import random
 import secrets
@@ -33,17 +34,17 @@ from jupyter_client.manager import AsyncKernelManager
 
 ROOT = Path(__file__).parents[2]
 ENVIRONMENT = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # as class/jupyterhub_config.py
-PATIENCE = 20  # seconds to wait for a picture; a move that changes nothing to be seen makes none
+PATIENCE = 20  # seconds to wait for a picture
 WHERE = """
 import json
 from kflearn.ui.controls import Slider
 from kflearn.ui import Playground
 found = [thing for thing in globals().values() if isinstance(thing, Playground)][-1]
 sliders = [
-    dict(id=c.slider.model_id, log=c.log, low=c.slider.min, high=c.slider.max, step=c.slider.step, at=c._place(c.value))
-    for c in found.controls.values() if isinstance(c, Slider)
+    dict(name=name, log=c.log, low=c.low, high=c.high, whole=c.number is int, at=c.value)
+    for name, c in found.controls.items() if isinstance(c, Slider)
 ]
-print(json.dumps(dict(picture=found.widget.children[-1].model_id, sliders=sliders)))
+print(json.dumps(dict(widget=found.widget.model_id, sliders=sliders)))
 """
 
 
@@ -75,7 +76,9 @@ class Learner:
         for cell in cells:
             await self.run(cell)
         where = json.loads(await self.run(WHERE))
-        self.picture, self.sliders = where["picture"], where["sliders"]
+        self.widget, self.sliders, self.sent, self.epoch = where["widget"], where["sliders"], 0, 0
+        self.say(kind="hello", ratio=1)
+        await self.heard(0)
         return self
 
     async def ready(self, stack):
@@ -112,31 +115,52 @@ class Learner:
             raise RuntimeError(f"{reply['content']['ename']}: {reply['content']['evalue']} in\n{code}")
         return "".join(printed)
 
+    def say(self, **what):
+        """Send what playground.js would send."""
+        data = {"method": "custom", "content": {"view": "learner", **what}}
+        message = self.client.session.msg("comm_msg", {"comm_id": self.widget, "data": data})
+        self.client.shell_channel.send(message)
+
+    async def heard(self, number):
+        """Wait for the picture that answers a move; False where it does not come."""
+        begun = time.perf_counter()
+        while (left := begun + PATIENCE - time.perf_counter()) > 0:
+            with suppress(Empty):
+                news = await self.client.get_iopub_msg(timeout=left)
+                said = news["content"].get("data", {}).get("content", {})
+                if said.get("kind") == "picture" and said["n"] == number and news["buffers"]:
+                    self.epoch = said["epoch"]
+                    return True
+        return False
+
     async def move(self):
         """Move a slider, as the browser does, and wait for the picture. Notes how long that took."""
         slider = self.random.choice(self.sliders)
-        place = slider["at"]
-        while abs(place - slider["at"]) < slider["step"]:
-            place = self.random.uniform(slider["low"], slider["high"])
-        slider["at"] = place
-        state = {"value": 10**place if slider["log"] else place}
-        content = {"comm_id": slider["id"], "data": {"method": "update", "state": state, "buffer_paths": []}}
-        message = self.client.session.msg("comm_msg", content)
+        slider["at"] = place(slider, self.random)
+        self.sent += 1
         sent = time.perf_counter()
-        self.client.shell_channel.send(message)
-        while (left := sent + PATIENCE - time.perf_counter()) > 0:
-            with suppress(Empty):
-                news = await self.client.get_iopub_msg(timeout=left)
-                if news["content"].get("comm_id") == self.picture and news["buffers"]:
-                    self.waits.append(time.perf_counter() - sent)
-                    return
-        self.silent += 1
+        self.say(kind="move", n=self.sent, epoch=self.epoch, values={slider["name"]: slider["at"]})
+        if await self.heard(self.sent):
+            self.waits.append(time.perf_counter() - sent)
+        else:
+            self.silent += 1
 
     async def play(self, moves, pause):
         """Some moves, with pauses between them that last `pause` seconds on average."""
         for _ in range(moves):
             await asyncio.sleep(self.random.uniform(0, 2 * pause))
             await self.move()
+
+
+def place(slider, chance):
+    """Another value of a slider than that of now."""
+    low, high = (math.log10(end) if slider["log"] else end for end in (slider["low"], slider["high"]))
+    while True:
+        at = chance.uniform(low, high)
+        value = min(max(10**at, slider["low"]), slider["high"]) if slider["log"] else at
+        value = round(value) if slider["whole"] else value
+        if value != slider["at"]:
+            return value
 
 
 def memory(pid):

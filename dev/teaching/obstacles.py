@@ -6,6 +6,7 @@ Each function answers with sentences for the teacher, or with an empty string wh
 import logging
 import os
 import pwd
+import re
 import subprocess
 import sys
 import sysconfig
@@ -15,11 +16,40 @@ import requests
 
 COURSE = Path(__file__).resolve().parents[2]
 GIT = "application/x-git-upload-pack-advertisement"  # what a git server says that it sends
+ACCOUNT = re.compile(r"[a-z][a-z0-9_-]{0,31}")  # the names of which Debian's adduser makes an account
+NO_BRANCH = "no such branch"
 
 
-def obstacle(repository):
-    """The first thing in the way of a class. Only root starts servers for other accounts."""
-    return (os.geteuid() == 0 and cannot_run()) or (repository and cannot_copy(repository)) or ""
+def obstacle(repository, branch="main", names=()):
+    """The first thing in the way of a class. Only root starts servers for other accounts.
+
+    Names are those of whom the hub makes an account, if they have none.
+    """
+    return (os.geteuid() == 0 and cannot_run()) or cannot_be_made(names) or cannot_copy(repository, branch)
+
+
+def listed(path):
+    """The names in a list: one a line, without blank lines and remarks. A file that is not there has none."""
+    lines = path.read_text(encoding="utf-8-sig").splitlines() if path.exists() else []
+    return [name for name in map(str.strip, lines) if name and not name.startswith("#")]
+
+
+def has_account(name):
+    try:
+        return bool(pwd.getpwnam(name))
+    except KeyError:
+        return False
+
+
+def cannot_be_made(names):
+    """The hub makes small letters of capitals. Of other names adduser makes no account, and the hub goes on without."""
+    small = sorted({name.lower() for name in names})
+    if wrong := [name for name in small if not ACCOUNT.fullmatch(name) and not has_account(name)]:
+        return (
+            f"No account can be made for: {', '.join(wrong)}. A name in class/learners.txt or in CLASS_TEACHERS begins "
+            "with a letter from a to z. Only such letters, digits, - and _ come after it, and it has at most 32 signs."
+        )
+    return ""
 
 
 def unreachable(path, wanted=0o005):
@@ -52,7 +82,7 @@ def cannot_run():
     return ""
 
 
-def cannot_copy(repository):
+def cannot_copy(repository, branch="main"):
     """Learners copy the course with git, each as an account of their own."""
     if repository.startswith(("http://", "https://")):
         return cannot_copy_from_the_web(repository)
@@ -63,23 +93,25 @@ def cannot_copy(repository):
         return f"CLASS_REPOSITORY names the folder {folder}, which does not exist."
     if closed := unreachable(folder):
         return f"Learners cannot copy CLASS_REPOSITORY, because {closed} is closed to other accounts."
-    said = ask_as_nobody(repository)
+    said = ask_as_nobody(repository, branch)
     if "dubious ownership" in said:
         git = folder / ".git" if (folder / ".git").exists() else folder
         return (
             f"git does not let learners copy {folder}, because it belongs to another account. "
             f"Allow it once: `git config --system --add safe.directory {git}`."
         )
+    if said == NO_BRANCH:
+        return f"{folder} has no branch {branch}. Say with CLASS_BRANCH which branch learners get."
     return said and f"Learners cannot copy CLASS_REPOSITORY. git says: {said}"
 
 
-def ask_as_nobody(repository):
-    """What git complains of when an account without any rights asks for the repository's branches."""
+def ask_as_nobody(repository, branch="main"):
+    """What git complains of when an account without any rights asks for a branch, or a tag, of the repository."""
     nobody = dict(user="nobody", group=pwd.getpwnam("nobody").pw_gid, extra_groups=[])
     env = {"PATH": os.environ["PATH"], "HOME": "/", "LANG": "C"}
-    command = ["git", "ls-remote", "--heads", "--", repository]
+    command = ["git", "ls-remote", "--exit-code", "--", repository, f"refs/heads/{branch}", f"refs/tags/{branch}"]
     done = subprocess.run(command, cwd="/", env=env, capture_output=True, text=True, **nobody)
-    return done.stderr.strip() if done.returncode else ""
+    return NO_BRANCH if done.returncode == 2 else done.stderr.strip() if done.returncode else ""
 
 
 def cannot_copy_from_the_web(repository):

@@ -3,9 +3,9 @@
     python -m dev.web.build                        everything, into build/site
     python -m dev.web.build --only 04,05 --out X   some lessons, into X
 
-The committed notebooks with their outputs become pages. Each playground becomes pictures for a grid of its controls'
-values, and controls which choose among them; for these a lesson is executed once, up to its last playground, and the
-pictures stay in build/frames until the lesson or the package changes. Nothing is downloaded.
+The committed notebooks with their outputs become pages. The playgrounds are those of JupyterLab, with pictures recorded
+for a grid of their controls' values: for these a lesson is executed once, up to its last playground, and the recordings
+stay in build/frames until the lesson or the package changes. Nothing is downloaded.
 
 Each page leads on: to its notebook, to the whole course as course.zip, and, once these addresses are known, to the
 course's repository (`dev/web/about.py` says where they are set).
@@ -29,13 +29,14 @@ from pathlib import Path
 import nbformat
 
 from dev import lessons as course
-from dev.web import about, card, frames, teaches
+from dev.web import about, card, frames, named, packed, teaches
 
 ROOT = Path(__file__).parents[2]
 PAGES = Path(__file__).parent / "pages"
 NOTEBOOKS, PACKAGE, FRAMES = ROOT / "notebooks", ROOT / "kflearn", ROOT / "build" / "frames"
 LINK = r"\[([^\]]*)\]\(([\w-]+\.(?:ipynb|md))\)"
-ONE_AT_A_TIME = "On this page one slider moves at a time, the others go back to their start. In JupyterLab all move."
+TWO_AT_A_TIME = "On this page two sliders can be away from their start; when a third one moves, the one that was moved "
+TWO_AT_A_TIME += "longest ago goes back. In JupyterLab all of them move."
 
 
 # ---- a playground without a kernel
@@ -45,80 +46,72 @@ def is_playground(output):
     return "image/png" in output.get("data", {}) and output.data["text/plain"].startswith("Playground:")
 
 
-def film(name, notebook):
-    """The folder with a folder of pictures for each playground. Executes the lesson, unless nothing has changed."""
-    shown = [sum(map(is_playground, cell.get("outputs", []))) for cell in notebook.cells]
+def recorded(path, notebook):
+    """The folder with a folder for each playground. Executes the lesson at path, unless nothing has changed."""
+    stem, shown = path.stem, [sum(map(is_playground, cell.get("outputs", []))) for cell in notebook.cells]
     last = max((i for i, count in enumerate(shown) if count), default=-1)
     sources = [cell.source for cell in notebook.cells[: last + 1] if cell.cell_type == "code"]
-    files = [Path(frames.__file__), *sorted(PACKAGE.rglob("*.py")), *sorted(PACKAGE.rglob("*.mplstyle"))]
-    parts = [*(file.read_bytes() for file in files), *(source.encode() for source in sources)]
-    folder = FRAMES / f"{name}-{sha256(b''.join(parts)).hexdigest()[:12]}"
+    made = re.findall(r"(?m)^(\w+) = Playground\(", "\n".join(sources))
+    texts = [text for name in made for text in named.text_beside(notebook.cells, name)]
+    files = [*(Path(module.__file__) for module in (frames, named, packed)), *sorted(PACKAGE.rglob("*.py"))]
+    parts = [*(file.read_bytes() for file in (*files, *PACKAGE.rglob("*.mplstyle"))), "".join(sources + texts).encode()]
+    folder = FRAMES / f"{stem}-{sha256(b''.join(parts)).hexdigest()[:12]}"
     if sources and not folder.exists():
         FRAMES.mkdir(parents=True, exist_ok=True)
-        for old in FRAMES.glob(f"{name}-*"):
+        for old in FRAMES.glob(f"{stem}-*"):
             shutil.rmtree(old)
         with tempfile.TemporaryDirectory(dir=FRAMES) as draft:
-            new = Path(draft, name)
-            execute(sources, str(new))
-            assert len(list(new.glob("*/frames.json"))) == sum(shown), f"pictures of {name} could not be made"
+            new = Path(draft, stem)
+            execute(sources, f"frames.watch({str(new)!r}, {str(path)!r})")
+            assert len(list(new.glob("*/page.json"))) == sum(shown), f"playgrounds of {stem} could not be recorded"
             new.rename(folder)
-        print("pictures for", name, flush=True)
+        print("playgrounds of", stem, flush=True)
     return folder
 
 
-def execute(sources, folder):
-    """Run cells of code in a new kernel, which leaves the pictures of each playground it shows in the folder."""
+def execute(sources, watch):
+    """Run cells of code in a new kernel, which records each playground it shows."""
     from nbclient import NotebookClient
 
-    watch = f"from dev.web import frames; frames.watch({folder!r})"
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in (watch, *sources)])
+    sources = (f"from dev.web import frames; {watch}", *sources)
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in sources])
     how = dict(extra_arguments=["--log-level=ERROR"], resources={"metadata": {"path": NOTEBOOKS}})
-    client = NotebookClient(notebook, timeout=600, kernel_name="python3", **how)
+    client = NotebookClient(notebook, timeout=1200, kernel_name="python3", **how)
     asyncio.run(client.async_execute(env=os.environ | {"PYTHONPATH": str(ROOT)}))
 
 
 def figure(folder, name):
-    """The HTML of a playground: its first picture, and controls for the script playground.js."""
-    page = json.loads((folder / "frames.json").read_text(encoding="utf-8"))
-    picture, sentence = page["frames"][",".join(map(str, page["start"]))]
-    controls = zip(page["controls"], page["start"], strict=True)
-    fields = "\n".join(field(f"{name}-{i}", control, start) for i, (control, start) in enumerate(controls))
-    note = "" if page["together"] else f"<figcaption>{ONE_AT_A_TIME}</figcaption>"
-    data = {key: page[key] for key in ("text", "start", "together", "frames")}
-    script = json.dumps(data, ensure_ascii=False).replace("</", r"<\/")
-    alt = html.escape(f"{page['text']}. {sentence}")
-    width, height = page["size"]
-    return f"""<figure class="playground" style="max-width: {width}px">
-<form hidden>{fields}<button type="reset">Reset</button></form>
-<p role="status" aria-live="polite">{html.escape(sentence)}</p>
-<div><img src="_static/frames/{name}/{picture}.webp" width="{width}" height="{height}" alt="{alt}"></div>{note}
+    """The HTML of a playground: its first picture and its sentence, and what recorded.js needs to make it live."""
+    page = json.loads((folder / "page.json").read_text(encoding="utf-8"))
+    note = "" if page["together"] else f"<figcaption>{TWO_AT_A_TIME}</figcaption>"
+    script = json.dumps({key: page[key] for key in ("spec", "start", "status")}, ensure_ascii=False)
+    script = script.replace("<", r"\u003c")
+    alt = html.escape(f"{page['spec']['text']}. {page['status']}")
+    (width, height), place = page["spec"]["size"], f"_static/recorded/{name}"
+    style = f"max-width: {width}px; --wide: {width}px"
+    return f"""<figure class="playground" data-recorded="{place}/recorded.js" style="{style}">
+<div><p class="kf-sentence">{html.escape(page["status"])}</p>
+<img src="{place}/start.webp" width="{width}" height="{height}" alt="{alt}"></div>{note}
 <script type="application/json">{script}</script>
 </figure>"""
 
 
-def field(name, control, start):
-    """The HTML of a control: a slider over its places, or a row of buttons."""
-    label, plain, texts = mathematics(control["label"]), html.escape(control["name"]), control["texts"]
-    if control["slider"]:
-        widest = max(map(len, texts))  # else the slider would change its length while it moves
-        return f"""<label><span>{label}</span> <input type="range" max="{len(texts) - 1}" value="{start}"
-aria-label="{plain}" data-texts="{html.escape(json.dumps(texts, ensure_ascii=False))}">
-<output style="min-width: {widest}ch"></output></label>"""
-    buttons = "".join(
-        f'<label><input type="radio" name="{name}" value="{i}"{" checked" * (i == start)}>{html.escape(text)}</label>'
-        for i, text in enumerate(texts)
-    )
-    return f"<fieldset><legend>{label}</legend>{buttons}</fieldset>"
+def playgrounds(folders, static):
+    """Put what playgrounds load among the files of the page: recordings, script and style."""
+    for folder in folders:
+        for file in (*folder.glob("*/*.webp"), *folder.glob("*/*.js")):
+            copy = static / "recorded" / file.relative_to(FRAMES)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(file, copy)
+    (static / "recorded.js").write_text(live_script(), encoding="utf-8")
+    shutil.copy(PACKAGE / "ui" / "playground.css", static)
 
 
-def mathematics(text):
-    """HTML of a text with LaTeX between $ … $; a mere word there is text too."""
-    from math_core import LatexToMathML
-
-    parts = re.split(r"\$(.*?)\$", re.sub(r"\$(\w{3,})\$", r"\1", text))
-    parts[1::2] = [LatexToMathML().convert_with_local_state(part, displaystyle=False) for part in parts[1::2]]
-    parts[::2] = map(html.escape, parts[::2])
-    return "".join(parts)
+def live_script():
+    """The playground's own script and the one that answers it, in one that a page opened from a disk may load too."""
+    parts = PACKAGE / "ui" / "playground.js", PAGES / "static" / "recorded.js"
+    text = "\n".join(path.read_text(encoding="utf-8") for path in parts)
+    return '"use strict";\n(() => {\n' + re.sub(r"(?m)^export (default .*;|)", "", text) + "})();\n"
 
 
 # ---- the pages
@@ -186,21 +179,18 @@ def prepare(lessons, folder):
     """Write everything Sphinx needs into a folder."""
     notebooks = [nbformat.read(path, as_version=4) for path in lessons]
     with ThreadPoolExecutor(2) as pool:
-        filmed = list(pool.map(film, [path.stem for path in lessons], notebooks))
+        folders = list(pool.map(recorded, lessons, notebooks))
     shutil.copytree(PAGES, folder, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(NOTEBOOKS / "pictures", folder / "pictures")
     maths_font(folder / "static" / "maths.woff")
+    playgrounds(folders, folder / "static")
     texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))}
     texts |= {"class-server.md": ROOT / "class" / "README.md", "changelog.md": ROOT / "CHANGELOG.md"}
     pages, alts = [*(path.name for path in lessons), *texts], {}
     facts = leads(lessons, pages, folder)
-    for path, notebook, pictures in zip(lessons, notebooks, filmed, strict=True):
+    for path, notebook, pictures in zip(lessons, notebooks, folders, strict=True):
         alts |= page(notebook, about.note(path.name, facts["zip"]), pictures, pages)
         nbformat.write(notebook, folder / path.name)
-        for picture in pictures.glob("*/*.webp"):
-            copy = folder / "static" / "frames" / picture.relative_to(FRAMES)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(picture, copy)
     for name, path in texts.items():
         text = path.read_text(encoding="utf-8").replace("](../notebooks/", "](")
         (folder / name).write_text(relink(text, pages), encoding="utf-8")
@@ -208,7 +198,7 @@ def prepare(lessons, folder):
     readme = readme.replace("](class/README.md)", "](class-server.md)").replace("](CHANGELOG.md)", "](changelog.md)")
     (folder / "README.md").write_text(relink(about.without(about.FOLDER, readme), pages), encoding="utf-8")
     (folder / "alts.json").write_text(json.dumps(alts), encoding="utf-8")
-    index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(filmed))
+    index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(folders))
     index = index.replace("WHERE", about.where(facts))
     toctree = "\n".join(["", "```{toctree}", ":hidden:", *pages, "```", ""])
     (folder / "index.md").write_text(index + toctree, encoding="utf-8")

@@ -4,6 +4,8 @@ import numpy as np
 
 from .matrices import congruence, correlations, symmetric
 
+ROUNDING = np.finfo(float).eps  # as much may be left of a variance of 1 by rounding alone: one unit in the last place
+
 
 def covariance_after(gain, P, H, R, basis=None):
     """The covariance after a correction with this gain: (I−KH)P(I−KH)ᵀ + KRKᵀ.
@@ -31,21 +33,32 @@ def decouple_missing(R, missing):
 
 
 def divide(C, S):
-    """C S⁻¹ for C (..., n, m) and a covariance S (..., m, m), by elimination; written out for many S with m = 2.
+    """C S⁻¹ for C (..., n, m) and a covariance S (..., m, m), by elimination; written out for m = 2.
 
-    A covariance needs no pivots: elimination in any order is stable. A singular S gives NaN or infinity.
+    A covariance needs no pivots: elimination in any order is stable. Where the components have units of very different
+    sizes, to choose pivots would even lose digits; so for m > 2 the correlations take the place of S. A singular S
+    gives NaN or infinity.
     """
     if S.shape[-1] == 1:
         return C / S
-    if S.shape[-1] == 2 and S.ndim > 2:
-        share, rest = _eliminated(S)
-        second = (C[..., 1] - share[..., None] * C[..., 0]) / rest[..., None]
-        first = (C[..., 0] - S[..., 1, 0, None] * second) / S[..., 0, 0, None]
-        return np.stack([first, second], axis=-1)
+    if S.shape[-1] == 2:
+        return _divide_two(C, S)
+    correlation, scale = correlations(S)
+    scale = scale[..., None, :]
     try:
-        return np.linalg.solve(S.mT, C.mT).mT
+        return np.linalg.solve(correlation.mT, (C / scale).mT).mT / scale
     except np.linalg.LinAlgError:
         return np.full(np.broadcast_shapes(C.shape[:-2], S.shape[:-2]) + C.shape[-2:], np.nan)
+
+
+def _divide_two(C, S):
+    """C S⁻¹ for two components."""
+    (a, b), (c, d) = S if S.ndim == 2 else np.moveaxis(S[..., None], (-3, -2), (0, 1))
+    one, two, share = C[..., 0], C[..., 1], b / a
+    second = (two - share * one) / (d - share * c)
+    out = np.empty((*second.shape, 2), second.dtype)
+    out[..., 0], out[..., 1] = (one - c * second) / a, second
+    return out
 
 
 def _eliminated(S):
@@ -55,14 +68,14 @@ def _eliminated(S):
 
 
 def definite(S):
-    """Which of the symmetric matrices (..., m, m) are positive definite; NaN is not."""
+    """Which of the symmetric matrices (..., m, m) are positive definite, by more than a rounding error; NaN is not."""
     if S.shape[-1] == 1:
         return S[..., 0, 0] > 0
     if S.shape[-1] == 2:
-        return (S[..., 0, 0] > 0) & (_eliminated(S)[1] > 0)
+        return (S[..., 0, 0] > 0) & (_eliminated(S)[1] > ROUNDING * S[..., 1, 1])
     finite = np.isfinite(S).all(axis=(-2, -1))
     correlation, _ = correlations(np.where(finite[..., None, None], S, 0))
-    return finite & (np.linalg.eigvalsh(correlation)[..., 0] > 0)
+    return finite & (np.linalg.eigvalsh(correlation)[..., 0] > ROUNDING)
 
 
 def divide_safely(cross, P):
@@ -79,7 +92,8 @@ def log_determinant(S):
         return np.log(S[..., 0, 0])
     if S.shape[-1] == 2:
         return np.log(S[..., 0, 0]) + np.log(_eliminated(S)[1])
-    return np.linalg.slogdet(S)[1]
+    correlation, scale = correlations(S)
+    return np.linalg.slogdet(correlation)[1] + 2 * np.log(scale).sum(axis=-1)
 
 
 def squared_distance(y, S):

@@ -43,7 +43,22 @@ def root(P) -> np.ndarray:
     except np.linalg.LinAlgError:
         correlation, scale = correlations(P)
         values, vectors = np.linalg.eigh(correlation)
+        scale = np.where(np.diagonal(P, axis1=-2, axis2=-1) > 0, scale, 0)  # what is known exactly stays so
         return scale[..., :, None] * vectors * np.sqrt(np.maximum(values, 0))[..., None, :]
+
+
+def solve_lower(L, b) -> np.ndarray:
+    """L⁻¹ b for a lower triangular L (..., m, m) and b (..., m), one component after the other.
+
+    Turned upside down L is upper triangular, and np.linalg.solve finds no pivots to choose. Of L itself it would choose
+    some where the rows have units of very different sizes, and lose digits.
+    """
+    return np.linalg.solve(L[..., ::-1, ::-1], b[..., ::-1, None])[..., ::-1, 0]
+
+
+def inverse_lower(L) -> np.ndarray:
+    """L⁻¹ for a lower triangular L (..., m, m), without pivots as in solve_lower."""
+    return np.linalg.inv(L.mT).mT
 
 
 def step_matrix(matrix, k) -> np.ndarray:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.conditioning import divide_safely
 from ..core.frozen import freeze
-from ..core.matrices import congruence, step_matrix, symmetric
+from ..core.matrices import congruence, inverse_lower, step_matrix, symmetric
 from ..models import checks as check
 from ..models.arguments import check_model, check_series
 from ..results.track import StackedSteps, Track, stack_in_time
@@ -99,7 +99,7 @@ def adaptive_kalman_filter(
         if adapt == "R":
             R = np.where(ready[..., None, None], _at_least(floor, C - expected.cov, R), R)
         belief, innovation, gain, _ = condition(predicted, expected, innovation, R, k)
-        refuse_negative("P⁺", belief.cov, through, k)
+        refuse_negative("P⁺", belief.cov, through, k, predicted.cov)
         if adapt == "Q":
             faster = _growth(congruence(gain, C - innovation.cov)[0], Q, predicted.cov, window)
             alpha = np.where(ready, np.clip(alpha * faster, floor, 1 / floor), alpha)
@@ -166,7 +166,7 @@ def _growth(surplus, Q, P, window):
 def _at_least(floor, R, R0):
     """R, with no direction in which it is smaller than `floor` R₀: eigenvalues in units of R₀ are raised."""
     L = np.linalg.cholesky(R0)
-    units = np.linalg.inv(L)
+    units = inverse_lower(L)
     values, vectors = np.linalg.eigh(symmetric(units @ R @ units.mT))
     root = L @ vectors * np.sqrt(np.maximum(values, floor))[..., None, :]
     return root @ root.mT

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..core.matrices import solve_lower
 from ..models.arguments import check_series
 from ..models.gaussian import Gaussian, unchecked_gaussian
 from ..models.state_space import LinearModel, stacks
@@ -94,7 +95,7 @@ class Responses(NamedTuple):
             u = np.concatenate([u[None], np.zeros((n, *u.shape))])
         track = square_root_kalman_filter(resting_first(model, T), series, starts, u)
         root = track._later.S_root()
-        white = np.linalg.solve(root, np.where(np.isnan(z), 0, track.innovation.mean)[..., None])[..., 0]
+        white = solve_lower(root, np.where(np.isnan(z), 0, track.innovation.mean))
         log_det = 2 * np.sum(np.log(np.diagonal(root, axis1=-2, axis2=-1)), axis=-1)
         return cls(track.filtered, white, log_det, ~np.isnan(z))
 

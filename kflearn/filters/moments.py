@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.frozen import Frozen
-from ..core.matrices import congruence, root
+from ..core.matrices import congruence, correlations, root
 from ..models import checks as check
 
 
@@ -190,16 +190,22 @@ class AlongPath(Frozen):
         return Moments(None, *congruence(self.slopes, belief.cov), self.slopes)
 
 
-def refuse_negative(name, P, through, k):
-    """Where sigma points may make a P that is no covariance: look at it, and say what to do."""
+def refuse_negative(name, P, through, k, *parts):
+    """Where sigma points may make a P that is no covariance: look at it, and say what to do.
+
+    parts: one or more covariances that P is made of. A variance that is negative beside theirs is no rounding error
+    either, however small the units of this state are.
+    """
     if not isinstance(through, SigmaPoints) or not through.may_be_negative(P.shape[-1]):
         return
     values = np.linalg.eigvalsh(P)
-    lowest = values[..., 0]
-    if (bad := lowest < -1e-9 * abs(values).max(axis=-1)).any():
+    size = sum(abs(np.diagonal(part, axis1=-2, axis2=-1)) for part in parts)
+    own = np.linalg.eigvalsh(correlations(P, np.sqrt(np.where(size > 0, size, 1)))[0])[..., 0]
+    plain = values[..., 0] < -1e-9 * abs(values).max(axis=-1)
+    if (bad := plain | (own < -1e-9)).any():
         raise ValueError(
             f"kappa or beta must be larger, so that n beta + alpha² kappa is at least 0: at step {k} these sigma "
-            f"points make {name} no covariance, with the eigenvalue {lowest[bad][0]:.2g}"
+            f"points make {name} no covariance, with the eigenvalue {np.where(plain, values[..., 0], own)[bad][0]:.2g}"
         )
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..core.matrices import step_matrix, symmetric
+from ..core.matrices import correlations, step_matrix, symmetric
 from ..models import checks as check
 from ..models.gaussian import Gaussian
 from ..models.state_space import LinearModel
@@ -40,8 +40,15 @@ def start_from(model, z) -> Gaussian:
     z = check.shape("z", np.atleast_1d(check.numbers("z", z)), (model.m,))
     if model.m != model.n or not _invertible(H):
         raise ValueError(f"H of shape {H.shape} must be invertible to start from z: not every state is measured")
-    half = np.linalg.solve(H, R)
-    return Gaussian(np.linalg.solve(H, z[..., None])[..., 0], symmetric(np.linalg.solve(H, half.mT)))
+    # In units in which R is a matrix of correlations and each column of H is at most 1: elimination chooses its pivots
+    # by their size, and would lose digits where the components' own units are very different.
+    R, noise = correlations(R)
+    H = H / noise[..., :, None]
+    size = abs(H).max(axis=-2)
+    H = H / size[..., None, :]
+    mean = np.linalg.solve(H, (z / noise)[..., None])[..., 0] / size
+    cov = np.linalg.solve(H, np.linalg.solve(H, R).mT)
+    return Gaussian(mean, symmetric(cov) / size[..., :, None] / size[..., None, :])
 
 
 def _invertible(H):

@@ -212,8 +212,9 @@ def predicted_belief(model, belief, u, k, through, Q=None):
     # A quick test: a sum is finite only if all its terms are.
     if isinstance(model, NonlinearModel) and not isfinite(moved.mean.sum()):
         _check_finite("f", moved.mean, belief, k)
-    P = symmetric(moved.cov + (step_matrix(model.Q, k) if Q is None else Q))
-    refuse_negative("P⁻", P, through, k)
+    Q = step_matrix(model.Q, k) if Q is None else Q
+    P = symmetric(moved.cov + Q)
+    refuse_negative("P⁻", P, through, k, moved.cov, moved.rest, Q)
     return unchecked_gaussian(moved.mean, P)
 
 
@@ -221,7 +222,7 @@ def corrected_belief(model, predicted, z, k, through, u=None, limits=None):
     """The Correction by a measurement; arguments are not checked. limits: of the gate."""
     expected, innovation = expected_measurement(model, predicted, z, k, through, u)
     made = condition(predicted, expected, innovation, step_matrix(model.R, k), k, limits)
-    refuse_negative("P⁺", made.belief.cov, through, k)
+    refuse_negative("P⁺", made.belief.cov, through, k, predicted.cov)
     return made
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..core.conditioning import decouple_missing
-from ..core.matrices import root, step_matrix, with_batch
+from ..core.matrices import inverse_lower, root, step_matrix, with_batch
 from ..core.recursion import linear_recursion, matvec_each_step
 from ..core.walk import Walk, pick, same_root, walk
 from ..models.gaussian import Gaussian, unchecked_gaussian
@@ -117,7 +117,7 @@ def _backwards(model, missing):
     if masks.any():
         gone = masks if shared else masks[gaps]
         H, R = H * ~gone[..., :, None], decouple_missing(R, gone)
-    scale = np.linalg.inv(root(R))
+    scale = inverse_lower(root(R))
     told = (scale @ H).mT  # a root of HᵀR⁻¹H
     if shared:
         G, told = root(model.Q), np.broadcast_to(told, (len(masks), *told.shape[-2:]))

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..core.conditioning import divide
 from ..core.frozen import Frozen
 from ..core.matrices import compact, root, symmetric, with_batch
 from . import checks as check
@@ -90,7 +91,7 @@ class Gaussian(Frozen):
         check.batches(belief=self.batch, other=other.batch)
         P1, P2 = compact(self.cov), compact(other.cov)
         total = check.covariance("the sum of cov and other.cov", P1 + P2, definite=True)
-        gain = np.linalg.solve(total, P1).mT
+        gain = divide(P1, total)
         mean = self.mean + np.matvec(gain, other.mean - self.mean)
         cov = symmetric(gain @ P2)  # K P₂ = P₁ − K P₁, without the subtraction
         return _read_only(mean, with_batch(cov, np.broadcast_shapes(self.cov.shape[:-2], other.cov.shape[:-2])))

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.conditioning import decouple_missing, log_determinant, squared_distance
 from ..core.frozen import Frozen
-from ..core.matrices import compact, symmetric, with_batch
+from ..core.matrices import compact, solve_lower, symmetric, with_batch
 from ..core.recursion import matvec_each_step
 from ..core.walk import Walk
 from ..models.gaussian import Gaussian, clip_variances, unchecked_gaussian
@@ -260,7 +260,7 @@ def scores(innovation, S_root=None):
             S = decouple_missing(S, missing)
         nis, log_det = squared_distance(y, S), log_determinant(S)
     else:
-        nis = np.sum(np.linalg.solve(S_root, y[..., None])[..., 0] ** 2, axis=-1)
+        nis = np.sum(solve_lower(S_root, y) ** 2, axis=-1)
         log_det = 2 * np.sum(np.log(abs(np.diagonal(S_root, axis1=-2, axis2=-1))), axis=-1)
     seen = (~missing).sum(axis=-1)
     log = -0.5 * (nis + log_det + seen * np.log(2 * np.pi))

@@ -3,12 +3,12 @@
     from kflearn.ui import Playground, log_slider, slider
 
 `plots` draws, `Playground` makes a drawing live, `choice`, `log_slider`, `slider` and `toggle` are its controls, and
-`drag` lets the reader take hold of the picture.
+`drag` and `drag_bell` let the reader take hold of the picture.
 """
 
 from importlib import import_module
 
-__all__ = ["Playground", "choice", "drag", "log_slider", "plots", "slider", "toggle"]
+__all__ = ["Playground", "choice", "drag", "drag_bell", "log_slider", "plots", "slider", "toggle"]
 
 
 def __dir__() -> list[str]:

@@ -1,9 +1,9 @@
 """The controls of a playground: sliders with a box for the exact number, named steps, switches."""
 
-from .handles import drag
+from .handles import drag, drag_bell
 from .widgets import Choice, Slider, Toggle
 
-__all__ = ["Choice", "Slider", "Toggle", "choice", "drag", "log_slider", "slider", "toggle"]
+__all__ = ["Choice", "Slider", "Toggle", "choice", "drag", "drag_bell", "log_slider", "slider", "toggle"]
 
 
 def log_slider(low, high, value, label=None, unit="") -> Slider:

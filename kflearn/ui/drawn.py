@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 
+from .away import Away
 from .looks import BAND, look_of
 
 
@@ -27,11 +28,12 @@ class Drawn:
 class Line(Drawn):
     """A line or a set of markers: `.set(x, y)`, two sequences of one length. A masked y leaves a gap."""
 
-    def __init__(self, ax, role, x, y, label=None, **look):
+    def __init__(self, ax, role, x, y, label=None, away=False, **look):
         look = look_of(role, look)
         if look.get("marker") and look["linestyle"] != "none":
             look.setdefault("markevery", max(1, np.size(x) // 12))
-        self.artists = tuple(ax.plot([], [], label=label, **look))
+        (line,) = ax.plot([], [], label=label, **look)
+        self.artists = (line, Away(line)) if away else (line,)
         self.set(x, y)
         fit(self.artists)
 
@@ -42,12 +44,13 @@ class Line(Drawn):
 class Estimate(Drawn):
     """A line with a band of ±2 standard deviations: `.set(x, mean, std)`; without std the band is empty."""
 
-    def __init__(self, ax, x, mean, std=None, label="estimate", role="estimate", **look):
+    def __init__(self, ax, x, mean, std=None, label="estimate", role="estimate", away=False, **look):
         look = look_of(role, look)
         band = ax.fill_between(x, mean, mean, color=look["color"], alpha=BAND, linewidth=0, zorder=1.5)
         if std is not None and label:
             band.set_label("±2σ")
-        self.artists = (band, *ax.plot([], [], label=label, **look))
+        (line,) = ax.plot([], [], label=label, **look)
+        self.artists = (band, line, Away(line)) if away else (band, line)
         self.set(x, mean, std)
         fit(self.artists)
 

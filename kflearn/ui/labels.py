@@ -17,7 +17,7 @@ def plain(text) -> str:
 @cache
 def as_html(text) -> str:
     """A label with LaTeX between $ … $; a mere word between them is text too."""
-    parts = re.split(r"(\$.*?\$)", re.sub(r"\$(\w{3,})\$", r"\1", text))
+    parts = re.split(r"(\$.*?\$)", re.sub(r"\$([^\W_]{3,})\$", r"\1", text))
     return "".join(_formula(part) if part.startswith("$") else html.escape(part) for part in parts if part)
 
 

@@ -16,6 +16,9 @@ class View(anywidget.AnyWidget):
     _esm = HERE / "playground.js"
     _css = HERE / "playground.css"
     spec = traitlets.Dict().tag(sync=True)
+    first = traitlets.Bytes().tag(
+        sync=True
+    )  # a PNG file: the picture until the kernel answers, and where there is none
 
 
 class Live:
@@ -31,6 +34,7 @@ class Live:
         self.view = View(spec=spec)
         self.view.on_msg(self._receive)
         self._last = {}  # by view: the number of the last move that was taken
+        self._ratios = {}  # by view: device pixels for each pixel of its page; the finest screen decides
         self._epoch = 0  # how often a program has set controls: older moves of the hand do not undo that
         self.watched, self._setting = False, False  # is it shown anywhere? is `put` at work?
         for control in controls.values():
@@ -41,19 +45,20 @@ class Live:
 
     def put(self, values):
         """Give controls new values, which were checked."""
-        self._setting = True
+        before, self._setting = self._setting, True
         try:
             for name, value in values.items():
                 self.controls[name].value = value
         finally:
-            self._setting = False
+            self._setting = before
 
     def set_by_program(self, values):
         """The same, and then the picture; moves of the hand that were made before do not count any more."""
         with self.lock:
             self.put(values)
-            self._epoch += 1
-            self.refresh()
+            if not self._setting:  # else somebody who observes a control sets another: one picture for both
+                self._epoch += 1
+                self.refresh()
 
     def _changed(self, change):
         """A control was given a value directly, or by a link to another widget."""
@@ -68,7 +73,8 @@ class Live:
         with self.lock:
             if content.get("kind") == "hello":
                 self.watched = True
-                self.stage.show_at(float(content["ratio"]))
+                self._ratios[content["view"]] = float(content["ratio"])
+                self.stage.show_at(max(self._ratios.values()))
                 about, still = self.stage.still()
                 self.view.send({"kind": "stage", **about}, [still])
                 self.refresh(view=content["view"])
@@ -85,9 +91,8 @@ class Live:
 
     def _wanted(self, content):
         """The values that a move asks for; those that a control cannot take are left out."""
-        if content.get("reset"):
-            return {name: control.start for name, control in self.controls.items()}
-        wanted, found = dict(content.get("values", {})), {}
+        start = {name: control.start for name, control in self.controls.items()} if content.get("reset") else {}
+        wanted, found = start | content.get("values", {}), {}
         for ask, find in (("drag", "values_at"), ("nudge", "values_beside")):
             if ask in content:
                 i, x, y = content[ask]
@@ -99,14 +104,17 @@ class Live:
                 continue
         return found
 
+    def places(self):
+        """Where the handles are now, for the browser."""
+        return [handle.spec(self.stage.fig, self.values(), self.stage.ratio) for handle in self.handles]
+
     def send(self, status, picture, view="", n=0):
         """The values of now, the sentence and, unless it is None, the picture."""
         if not self.watched:
             return
         about, buffers = picture or ({}, [])
-        places = [handle.spec(self.stage.fig, self.values(), self.stage.ratio) for handle in self.handles]
         about |= dict(kind="picture", view=view, n=n, epoch=self._epoch, values=self.values(), status=status)
-        self.view.send(about | dict(ratio=self.stage.ratio, handles=places), buffers)
+        self.view.send(about | dict(ratio=self.stage.ratio, handles=self.places()), buffers)
 
 
 def told(error, function):

@@ -98,10 +98,19 @@ function number(value) {
   return size >= 1e6 || size < 1e-4 ? Number(value.toPrecision(6)).toExponential().replace("e+", "e") : String(value);
 }
 
+function nearest({ places, log }, value) {
+  if (places.includes(value)) return places.indexOf(value);
+  const scale = log ? Math.log : Number;
+  const gaps = places.map((place) => Math.abs(scale(place) - scale(value)));
+  return gaps.indexOf(Math.min(...gaps));
+}
+
 function slider(control, moved) {
-  const { low, high, step, log, whole, unit } = control;
-  const place = (value) => (log ? Math.log10(value) : value);
+  const { low, high, log, whole, unit, places } = control; // places: the only values that there are, on the web page
+  const step = places ? 1 : control.step;
+  const place = (value) => (places ? nearest(control, value) : log ? Math.log10(value) : value);
   const value = (place) => {
+    if (places) return places[place];
     const found = log ? Number((10 ** place).toPrecision(3)) : whole ? Math.round(place) : Number(place.toFixed(10));
     return Math.min(Math.max(found, low), high);
   };
@@ -156,7 +165,7 @@ function toggle(control, moved) {
 // ---- handles: what one can take hold of in the picture
 
 function handle(i, move, nudge) {
-  const made = element("button", { class: "kf-handle", type: "button" });
+  const made = element("button", { class: "kf-handle", type: "button", hidden: true });
   let from = null;
   const scale = () => made.parentElement.querySelector("canvas").width / made.parentElement.clientWidth;
   made.addEventListener("pointerdown", (event) => {
@@ -178,11 +187,20 @@ function handle(i, move, nudge) {
   return made;
 }
 
-function put(made, { at, area, along, words }, ratio) {
+function together(nudge, another) {
+  if (!another || another[0] !== nudge[0]) return another || nudge;
+  return [nudge[0], nudge[1] + another[1], nudge[2] + another[2]];
+}
+
+function put(made, { hidden, at, area, along, line, words }, picture) {
+  made.hidden = Boolean(hidden);
+  if (hidden) return;
   made.at = at;
+  made.className = `kf-handle kf-along-${along}${line ? " kf-line" : ""}`;
   const [x, y, width, height] = area;
-  Object.assign(made.style, { left: `${x / ratio}px`, top: `${y / ratio}px`, width: `${width / ratio}px` });
-  Object.assign(made.style, { height: `${height / ratio}px`, cursor: { x: "ew-resize", y: "ns-resize" }[along] || "move" });
+  const [across, down] = [(part) => `${(100 * part) / picture.width}%`, (part) => `${(100 * part) / picture.height}%`];
+  Object.assign(made.style, { left: across(x + width / 2), top: down(y + height / 2) }); // its middle
+  Object.assign(made.style, { width: across(width), height: down(height) });
   if (made.getAttribute("aria-label") !== words) made.setAttribute("aria-label", words);
 }
 
@@ -191,6 +209,7 @@ function put(made, { at, area, along, words }, ratio) {
 const BUSY = "The kernel is busy with a cell. The picture follows when it is free.";
 const LOST = "The kernel does not answer. If no cell is running: Kernel → Restart Kernel, then run the cells again.";
 const MANY = 2; // moves under way at once: while one picture is drawn, the next is made
+const PATIENCE = [1.5, 20]; // seconds without an answer, until these sentences are shown
 
 export function render({ model, el }) {
   const spec = model.get("spec");
@@ -207,24 +226,34 @@ export function render({ model, el }) {
 
   function ask(change, names) {
     for (const name of names) state.asked[name] = state.sent + 1; // the move that will carry it
-    const values = { ...state.next?.values, ...change.values };
-    state.next = { ...state.next, ...change, values };
+    const { nudge, values, ...rest } = state.next && !change.reset ? state.next : {};
+    state.next = { ...rest, ...change, values: { ...values, ...change.values } };
+    if (nudge && !change.drag) state.next.nudge = together(nudge, change.nudge);
     send();
   }
   function send() {
     if (!state.next || state.waiting >= MANY) return;
     state.waiting += 1;
     state.sent += 1;
-    model.send({ kind: "move", view, n: state.sent, epoch: state.epoch, ...state.next });
+    tell({ kind: "move", view, n: state.sent, epoch: state.epoch, ...state.next });
     state.next = null;
     if (state.waiting === 1) watch();
+  }
+  function tell(message) {
+    try {
+      model.send(message);
+    } catch (error) {
+      console.warn(error);
+      say(LOST);
+    }
   }
   function watch() {
     clearTimeout(state.busy);
     clearTimeout(state.lost);
-    if (!state.waiting) return;
-    state.busy = setTimeout(() => say(BUSY), 1500);
-    state.lost = setTimeout(() => say(LOST), 20000);
+    if (!state.waiting && state.stage) return;
+    const [busy, lost] = spec.patience || PATIENCE;
+    state.busy = setTimeout(() => say(spec.busy ?? BUSY), 1000 * busy);
+    state.lost = setTimeout(() => say(spec.lost ?? LOST), 1000 * lost);
   }
 
   const controls = Object.fromEntries(
@@ -240,9 +269,15 @@ export function render({ model, el }) {
     handle(i, (i, at) => ask({ drag: [i, ...at] }, names), (i, by) => ask({ nudge: [i, ...by] }, names)),
   );
   frame.append(...handles);
-  const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element), reset);
-  const whole = element("div", { class: "kf-playground", style: `max-width: ${wide}px` }, row, sentence, spoken, frame);
-  for (const kind of ["keydown", "keyup"]) row.addEventListener(kind, (event) => event.stopPropagation());
+  const row = element("div", { class: "kf-controls" }, ...all.map((name) => controls[name].element));
+  const under = element("div", { class: "kf-under" }, sentence, reset);
+  const style = `max-width: ${wide}px`;
+  const whole = element("div", { class: "kf-playground", style }, row, under, spoken, frame);
+  // Else Notebook 7 takes the arrow keys for itself, and JupyterLab those that come up to it.
+  for (const made of whole.querySelectorAll("input, button")) made.setAttribute("data-lm-suppress-shortcuts", "true");
+  for (const part of [row, under]) {
+    for (const kind of ["keydown", "keyup"]) part.addEventListener(kind, (event) => event.stopPropagation());
+  }
   frame.addEventListener("keydown", (event) => event.stopPropagation());
   frame.style.aspectRatio = `${wide} / ${high}`;
   el.replaceChildren(whole);
@@ -258,11 +293,10 @@ export function render({ model, el }) {
   // -- answers: { kind: "stage", ratio, width, height, legends } and its picture; { kind: "picture", … } and its points
 
   async function bitmap(bytes) {
-    return createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    return bytes instanceof ImageBitmap ? bytes : createImageBitmap(new Blob([bytes], { type: "image/png" }));
   }
   async function take(message, buffers) {
     if (message.kind === "stage") {
-      if (message.ratio !== state.ratio) return;
       const image = await bitmap(buffers[0]);
       [canvas.width, canvas.height] = [below.width, below.height] = [message.width, message.height];
       below.getContext("2d").drawImage(image, 0, 0);
@@ -270,12 +304,12 @@ export function render({ model, el }) {
       return;
     }
     const mine = message.view === view;
+    if (message.epoch !== state.epoch) Object.assign(state, { epoch: message.epoch, next: null, asked: {} });
     if (mine && message.n) {
       state.waiting = Math.max(0, state.waiting - 1);
       send();
-      watch();
     }
-    state.epoch = message.epoch;
+    if (mine) watch();
     for (const name of all) {
       if (!mine || !message.n || !(state.asked[name] > message.n)) controls[name].set(message.values[name]);
     }
@@ -292,11 +326,21 @@ export function render({ model, el }) {
     pen.drawImage(below, 0, 0);
     paint(pen, message, numbers, images);
     for (const side of state.stage.legends) pen.drawImage(below, ...side, ...side); // nothing moves over them
-    message.handles.forEach((place, i) => put(handles[i], place, state.stage.width / wide));
+    message.handles.forEach((place, i) => put(handles[i], place, state.stage));
     canvas.setAttribute("aria-label", `${spec.text}. ${message.status}`);
   }
   const listen = (message, buffers) => (order = order.then(() => take(message, buffers)).catch(console.error));
   model.on("msg:custom", listen);
+
+  async function begin(file) {
+    const image = await bitmap(file);
+    if (!state.stage) [canvas.width, canvas.height] = [image.width, image.height];
+    if (!state.stage) canvas.getContext("2d").drawImage(image, 0, 0);
+  }
+  const first = model.get("first"); // the picture when the cell ran: until the kernel answers, and where there is none
+  if (first?.byteLength) order = begin(first).catch(console.error);
+  canvas.setAttribute("aria-label", spec.text);
+  for (const { name, start } of spec.controls) controls[name].set(start);
 
   // -- how fine the screen is: asked again when the page is zoomed or moved to another screen
 
@@ -304,7 +348,8 @@ export function render({ model, el }) {
     const ratio = Math.min(Math.max(window.devicePixelRatio || 1, 1), 3);
     if (ratio === state.ratio) return;
     state.ratio = ratio;
-    model.send({ kind: "hello", view, ratio });
+    tell({ kind: "hello", view, ratio });
+    watch();
     state.screen?.removeEventListener("change", greet);
     state.screen = matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
     state.screen.addEventListener("change", greet);

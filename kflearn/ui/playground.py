@@ -43,7 +43,7 @@ class Playground:
     size : (float, float)
         Width and height of the picture in inches, at 100 dots per inch.
     handles : sequence of Handle
-        What one can take hold of in the picture, made by `drag`.
+        What one can take hold of in the picture, made by `drag` and `drag_bell`.
     **controls : log_slider, slider, choice or toggle
         One for each name that `update` takes.
 
@@ -97,9 +97,10 @@ class Playground:
         return "Playground: " + "; ".join(c.describe() for c in self.controls.values())
 
     def _repr_mimebundle_(self, **kwargs):
+        self.widget.first = self.png()
         data = self.widget._repr_mimebundle_(**kwargs)
         data, about = data if isinstance(data, tuple) else (data, {})
-        data = data | {"image/png": self.png(), "text/plain": str(self)}
+        data = data | {"image/png": self.widget.first, "text/plain": str(self)}
         return data, about | {"image/png": {"alt": f"{self}. {self.status}"}}
 
     def gallery(self, *settings, alt=None, size=(9, 3.6)) -> None:
@@ -127,11 +128,13 @@ class Playground:
                 part.suptitle(title, fontsize=10)
             for ax in part.axes:  # one legend for all of them
                 if ax.get_legend():
-                    handles, labels = ax.get_legend_handles_labels()
-                    entries |= dict(zip(labels, handles, strict=True))
+                    named = zip(*ax.get_legend_handles_labels(), strict=True)
+                    entries |= {(label, type(drawn)): drawn for drawn, label in named}
                     ax.get_legend().remove()
         if entries:
-            bottom.legend(entries.values(), entries.keys(), loc="center", ncols=6, frameon=False)
+            names = [label for label, _ in entries]  # a line and an area may have one name
+            tight = dict(columnspacing=0.9, handlelength=1.8) if len(names) > 7 else {}
+            bottom.legend(entries.values(), names, loc="center", ncols=8, frameon=False, **tight)
         plots.show(fig, alt or re.sub(r"[$\\]", "", ". ".join(words)))
 
     # -- the controls
@@ -226,5 +229,6 @@ class Playground:
             warnings.simplefilter("error")
             self.status = self._update()
             self._stage.record()
+            self._live.places()
         for thing in [self.status, *leaves(self._stage.artists)]:
             assert_finite(thing)

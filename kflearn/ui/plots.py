@@ -103,7 +103,8 @@ def truth(ax, t, x, label="truth", **look) -> Line:
     label : str
         Its name in the legend.
     **look
-        Settings of matplotlib's `plot` that come before the course's own.
+        Settings of matplotlib's `plot` that come before the course's own; and away=True for an arrow with the value
+        where the line is furthest above or below the axes.
 
     Returns
     -------

@@ -100,8 +100,8 @@ class Recorder(RendererBase):
             raise Unrecordable("a turned image")
         from PIL import Image
 
-        file = io.BytesIO()
-        Image.fromarray(np.ascontiguousarray(im)).save(file, "png", compress_level=1)
+        file = io.BytesIO()  # matplotlib counts an image's rows from its lower edge
+        Image.fromarray(np.ascontiguousarray(im[::-1])).save(file, "png", compress_level=1)
         self.images.append(file.getvalue())
         place = [round(x), round(self.height - y - im.shape[0])]
         self.ops.append(["i", len(self.images) - 1, *place, _alpha(gc), self._clip(gc)])

@@ -42,8 +42,13 @@ class Stage:
         canvas = self.fig.canvas
         canvas.draw()
         self._still = canvas.copy_from_bbox(self.fig.bbox)
+        self._seen = np.array(canvas.buffer_rgba())
         legends = [ax.get_legend() for ax in self.fig.axes if ax.get_legend() and ax.get_legend().get_frame_on()]
-        self._legends = [legend.get_window_extent() for legend in legends]
+        self._legends = [self._sides(legend.get_window_extent()) for legend in legends]
+
+    def _sides(self, box):
+        """A box in whole pixels from the top: x, y, width, height."""
+        return [round(side) for side in (box.x0, len(self._seen) - box.y1, box.width, box.height)]
 
     def show_at(self, ratio) -> None:
         """Draw everything for a screen with so many device pixels for each pixel of the page."""
@@ -56,14 +61,10 @@ class Stage:
         """What stays: its size in pixels and the places of its legends, and a PNG file."""
         from PIL import Image
 
-        canvas = self.fig.canvas
-        canvas.restore_region(self._still)
-        pixels = np.asarray(canvas.buffer_rgba())
         file = io.BytesIO()
-        Image.fromarray(pixels[..., :3]).save(file, "png", compress_level=6)
-        height, width = pixels.shape[:2]
-        sides = [[round(v) for v in (box.x0, height - box.y1, box.width, box.height)] for box in self._legends]
-        return dict(ratio=self.ratio, width=width, height=height, legends=sides), file.getvalue()
+        Image.fromarray(self._seen[..., :3]).save(file, "png", compress_level=6)
+        height, width = self._seen.shape[:2]
+        return dict(ratio=self.ratio, width=width, height=height, legends=self._legends), file.getvalue()
 
     def record(self) -> tuple[dict, list[bytes]]:
         """What moves, as playground.js draws it: operations and styles; points and images.
@@ -85,9 +86,11 @@ class Stage:
         canvas.restore_region(self._still)
         for artist in self.moving:
             artist.draw(canvas.get_renderer())
-        for box in self._legends:
-            canvas.restore_region(self._still, bbox=box, xy=(box.x0, box.y0))
-        return np.asarray(canvas.buffer_rgba())
+        pixels = np.array(canvas.buffer_rgba())
+        for x, y, width, height in self._legends:
+            part = slice(y, y + height), slice(x, x + width)
+            pixels[part] = self._seen[part]
+        return pixels
 
     def png(self) -> bytes:
         """The whole picture of now as a PNG file, for a screen with ratio 1."""

@@ -45,7 +45,8 @@ class Control(HasTraits):
 
     def spec(self) -> dict:
         """What playground.js needs to know."""
-        return {"name": self.name, "label": labels.as_html(self.label), "plain": labels.plain(self.label)}
+        words = dict(label=labels.as_html(self.label), plain=labels.plain(self.label))
+        return dict(name=self.name, start=self.start, **words)
 
 
 class Slider(Control):

@@ -146,13 +146,13 @@ SUMS = {
 
 
 def graded(course):
-    """The sums of points.csv, the files of points.csv, and what was said in answers.csv."""
-    with open(course / "points.csv", encoding="utf-8", newline="") as file:
+    """The sums and the files of the table of points, and what was said in the table of answers."""
+    with open(course / "points-04-05.csv", encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     asked = [f"{number} {name}" for number in ASKED for name in ASKED[number]]
     assert list(rows[0]) == ["learner", *asked, "sum", "04 file", "05 file"]
     assert all(int(row["sum"]) == sum(int(row[name]) for name in asked) for row in rows)
-    with open(course / "answers.csv", encoding="utf-8", newline="") as file:
+    with open(course / "answers-04-05.csv", encoding="utf-8", newline="") as file:
         said = {(row["learner"], row["exercise"]): row["said"] for row in csv.DictReader(file)}
     files = {(row["learner"], number): row[f"{number} file"] for row in rows for number in ASKED}
     return {row["learner"]: int(row["sum"]) for row in rows}, files, said

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from dev.bench import filters, gaps, goals, online, report, rival_races
+from dev.bench import filters, gaps, goals, online, playground, report, rival_races
 
 
 def test_all_rivals_agree_where_readings_are_missing():
@@ -44,6 +44,18 @@ def test_a_figure_short_of_its_goal_is_marked_and_named():
     assert "**999, short**" in lines[-1]
     assert report.short(lines) == f"\nShort of a goal: {race.name}."
     assert report.short(["| in time | **0.50** |"]) == "\nShort of a goal: nothing."
+
+
+def test_a_playground_short_of_its_goal_is_named():
+    fast = playground.Round(wait=12.0, rate=40.0, each=0.95, size=5500.0, kernel=3.0)
+    slow = playground.Round(wait=25.0, rate=20.0, each=0.5, size=29_000.0, kernel=11.0)
+    plain = playground.Round(wait=113.0, rate=5.0, each=0.1, size=180_000.0, kernel=38.0)
+    kept = {playground.PLAIN: plain, playground.LIVE: fast, playground.BEFORE: slow}
+    assert report.short(list(playground.table(kept))) == "\nShort of a goal: nothing."
+    short = report.short(list(playground.table(kept | {playground.LIVE: slow})))
+    assert all(words in short for words in ("interact", "share of the time", "movement", "milliseconds a picture"))
+    alone = list(playground.table({playground.PLAIN: plain, playground.LIVE: fast}))
+    assert any("git does not know this commit here" in line for line in alone)
 
 
 # ---- rivals with an environment of their own, which is not made here

@@ -178,6 +178,21 @@ def test_a_server_that_cannot_be_reached_is_only_warned_of(caplog):
     assert "cannot be reached at the moment" in caplog.text
 
 
+def test_names_of_which_no_account_can_be_made(monkeypatch):
+    monkeypatch.setattr(obstacles, "has_account", "dr.known".__eq__)
+    monkeypatch.setattr(obstacles, "cannot_run", str)
+    assert obstacles.cannot_be_made(["ada", "Grace", "e-va_2", "dr.known", "a" * 32]) == ""
+    said = obstacles.cannot_be_made(["ada", "kim.lee", "Ada Byron", "zoë", "7up", "grace,linus", "a" * 33])
+    assert said.startswith(f"No account can be made for: 7up, {'a' * 33}, ada byron, grace,linus, kim.lee, zoë. ")
+    assert obstacles.obstacle("", names=["kim.lee"]) and not obstacles.obstacle("", names=[])
+
+
+def test_a_list_from_another_system_is_read(tmp_path):
+    (tmp_path / "learners.txt").write_bytes("\ufeffada\r\n  # a remark\r\n\r\n ben \r\n".encode())
+    assert obstacles.listed(tmp_path / "learners.txt") == ["ada", "ben"]
+    assert obstacles.listed(tmp_path / "nowhere.txt") == []
+
+
 def test_addresses_for_ssh_are_left_alone():
     for address in ("git@example.org:course.git", "ssh://git@example.org/course.git", "git://example.org/course.git"):
         assert obstacles.cannot_copy(address) == ""
@@ -197,6 +212,7 @@ def test_a_folder_of_this_machine(monkeypatch, place):
     system = dict(GIT_CONFIG_SYSTEM=str(settings))  # in place of /etc/gitconfig
     monkeypatch.setattr(subprocess, "run", lambda *a, env, **more: ask(*a, env=env | system, **more))
     assert obstacles.cannot_copy(str(folder)) == obstacles.cannot_copy(f"file://{folder}") == ""
+    assert obstacles.cannot_copy(str(folder), "other").startswith(f"{folder} has no branch other.")
     (place / "web").chmod(0o700)
     assert f"because {place / 'web'} is closed to other accounts" in obstacles.cannot_copy(f"file://{folder}")
     assert "which does not exist" in obstacles.cannot_copy(str(place / "nowhere"))

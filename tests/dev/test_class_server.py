@@ -121,6 +121,11 @@ def test_the_configuration_is_python_and_says_its_settings():
     assert set(re.findall(r"CLASS_[A-Z]+", head)) == set(re.findall(r"CLASS_[A-Z]+", code))
 
 
+def test_the_list_of_learners_is_not_committed():
+    """Whoever copies the course would get the names of the class."""
+    assert "class/learners.txt" in (ROOT / ".gitignore").read_text(encoding="utf-8").splitlines()
+
+
 def test_the_chart_values():
     values = yaml.safe_load((ROOT / "class" / "values.yaml").read_text(encoding="utf-8"))
     config, user = values["hub"]["config"], values["singleuser"]

@@ -54,9 +54,12 @@ def test_answers_are_collected_with_nobodys_rights_but_the_owners(people, tmp_pa
         printed = run("-m", "dev.teaching.collect", grader.pw_name, "4", "05", "--learners", tmp_path / "learners.txt")
         assert printed.splitlines() == [
             f"{ada.pw_name}: 2 files",
-            f"No file from: {ben.pw_name}, nobody-knows.",
+            f"No file from: {ben.pw_name}. The table of points will say: nothing handed in.",
+            "No account of this name: nobody-knows.",
             f"The files are in {grader.pw_dir}/answers-04-05.",
         ]
+    everybody = set(os.listdir(f"{grader.pw_dir}/answers-04-05"))
+    assert everybody == {ada.pw_name, ben.pw_name}, "the table has a line for each"
     found = [
         os.path.join(place, name) for place, _, names in os.walk(f"{grader.pw_dir}/answers-04-05") for name in names
     ]
@@ -73,4 +76,5 @@ def test_a_home_that_leads_elsewhere_gives_nothing(people, tmp_path):
     os.symlink(f"{ben.pw_dir}/kalman", f"{ada.pw_dir}/kalman")
     (tmp_path / "learners.txt").write_text(ada.pw_name)
     printed = run("-m", "dev.teaching.collect", grader.pw_name, "4", "05", "--learners", tmp_path / "learners.txt")
-    assert printed == f"No file from: {ada.pw_name}.\n"
+    assert printed.startswith(f"No file from: {ada.pw_name}. ") and printed.count("\n") == 1
+    assert not os.listdir(f"{grader.pw_dir}/answers-04-05/{ada.pw_name}")

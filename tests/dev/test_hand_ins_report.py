@@ -52,9 +52,11 @@ def test_the_tables_and_the_report_tell_useless_from_nothing(four, tmp_path):
         dict(learner=job.learner, lesson=job.sheet.number, exercise="a", points=0, said=job.trouble, file=source(job))
         for job in jobs
     ]
-    write(rows, tmp_path)
-    assert '\ntom,0,0,0,"tom/04-answers.ipynb (handed in, not usable)",\n' in (tmp_path / "points.csv").read_text()
-    assert "sam/answers.pdf (handed in, not usable)" in (tmp_path / "answers.csv").read_text()
+    points, answers = write(rows, tmp_path)
+    assert '\ntom,0,0,0,"tom/04-answers.ipynb (handed in, not usable)",\n' in points.read_text()
+    assert "sam/answers.pdf (handed in, not usable)" in answers.read_text()
+    later, _ = write([row | {"lesson": "06"} for row in rows if row["lesson"] == "05"], tmp_path)
+    assert points.name == "points-04-05.csv" and later.name == "points-06.csv", "the next assignment leaves them alone"
     assert "05 handed in, not usable: sam/answers.pdf\n" in table(rows, jobs)
     lines = report(jobs, said).splitlines()
     assert lines[1] == "- Nothing was handed in by tom (lesson 05), vic (lesson 04, 05)."

@@ -9,26 +9,26 @@ from dev.hard import browser
 from dev.lab import CHROMIUM
 
 
-def reader(page, kernel):
-    """A reader without a browser: what the page shows, what the kernel says."""
-    made = object.__new__(browser.Reader)
-    made.rest = lambda: page
+def reader(pages, kernel):
+    """A reader without a browser: what the page shows, at first and when it is made anew; what the kernel says."""
+    made, pages = object.__new__(browser.Reader), iter(pages)
+    made.rest = lambda: next(pages)
     made.lab = SimpleNamespace(ask=lambda code: json.dumps(kernel))
     return made
 
 
 @pytest.mark.parametrize(
-    ("page", "shown", "fresh", "number", "stale"),
+    ("page", "anew", "shown", "fresh", "number", "stale"),
     [
-        ("a", "a", "a", 1.0, False),
-        ("a", "b", "b", 1.0, True),  # a picture that did not come to the page
-        ("a", "a", "b", 1.0, True),  # a move that was not drawn
-        ("a", "a", "a", 1.5, True),  # a box that shows another number
+        ("a", "a", "A", "A", 1.0, False),
+        ("a", "b", "A", "A", 1.0, True),  # a picture that did not come to the page
+        ("a", "a", "A", "B", 1.0, True),  # a move that was not drawn
+        ("a", "a", "A", "A", 1.5, True),  # a box that shows another number
     ],
 )
-def test_a_stale_picture_is_seen(page, shown, fresh, number, stale):
+def test_a_stale_picture_is_seen(page, anew, shown, fresh, number, stale):
     kernel = dict(pictures=[[shown, fresh]], numbers=[1.0], errors=0)
-    assert reader(([page], [number]), kernel).stale() == stale
+    assert reader([([page], [number]), ([anew], [number])], kernel).stale() == stale
 
 
 def test_a_disturbed_lesson_is_seen():

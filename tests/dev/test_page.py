@@ -1,7 +1,6 @@
 """Around the lessons on the web page: where a page leads, how it is found, what it looks like on paper."""
 
 import io
-import json
 import re
 import xml.etree.ElementTree
 import zipfile
@@ -14,7 +13,7 @@ from PIL import Image
 
 from dev import lessons as course
 from dev.lab import ROOT
-from dev.web import about, frames, teaches
+from dev.web import about, teaches
 from tests.dev.web import BEARINGS, BUILT, FUSION, LESSONS, VOLTMETER, Page, build
 
 pytestmark = pytest.mark.timeout(300)
@@ -267,33 +266,17 @@ def test_on_paper_nothing_hides_or_is_cut_off(tab, name):
         ".back-to-top",
         ".sidebar-drawer",
         ".content footer",
-        ".playground form",
+        ".kf-controls",
         ".note",
         ".onward",
     ):
         assert not page.locator(gone).first.is_visible(), gone
-    assert page.locator(".playground img").first.is_visible() and page.locator("[role=status]").first.is_visible()
+    picture = page.locator(".playground img")
+    assert picture.is_visible() and picture.evaluate("image => image.decode()") is None
+    assert page.locator(".kf-sentence").is_visible()
     assert page.locator("article pre, article .output, article math").evaluate_all(WIDE) == []
     line = page.locator("article .output pre").first
     line.evaluate("pre => pre.textContent = '0'.repeat(82)")
     one = line.evaluate("pre => pre.clientHeight")
     line.evaluate("pre => pre.textContent = '0'")
     assert one == line.evaluate("pre => pre.clientHeight")
-
-
-# ---- what stands beside a slider
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [(1e-6, "10⁻⁶"), (5.18e7, "5.18·10⁷"), (7.94e-6, "7.94·10⁻⁶"), (1e12, "10¹²"), (-1e-5, "-1·10⁻⁵"), (0.25, "0.25")],
-)
-def test_numbers_are_written_as_by_hand(value, text):
-    assert frames.written(value) == text
-
-
-@pytest.mark.parametrize("name", LESSONS)
-def test_no_slider_shows_a_programmers_number(pages, site, name):
-    html = (site / name).read_text(encoding="utf-8")
-    for texts in re.findall(r'data-texts="(.*?)"', html, re.S):
-        assert not re.search(r"\de[-+]?\d", json.dumps(texts))

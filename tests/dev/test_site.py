@@ -3,21 +3,18 @@
 `make site` sets KFLEARN_SITE to the folder of the page it has built: then all of that page is tested.
 """
 
-import json
 import re
 import sys
 from urllib.parse import unquote, urlsplit
 
 import nbformat
-import numpy as np
 import pytest
 from nbformat.v4 import new_markdown_cell, new_notebook
 
-from dev.web import build, frames
-from kflearn.ui import Playground, choice, log_slider, slider
+from dev.web import build
 from tests.dev.web import FUSION, LESSONS, VOLTMETER
 
-pytestmark = pytest.mark.timeout(300)  # half a minute on an idle machine; less when the pictures are in build/frames
+pytestmark = pytest.mark.timeout(300)  # a minute on an idle machine; less when the recordings are in build/frames
 
 
 # ---- before anything is built
@@ -35,64 +32,6 @@ def test_a_missing_heading_is_told_in_one_sentence(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["build.py"])
     with pytest.raises(SystemExit, match=r"^notebooks/notice.md needs a heading in its first line, such as: # News$"):
         build.main()
-
-
-# ---- the pictures of a playground
-
-
-def make(**controls):
-    def draw(fig):
-        return fig.subplots().plot([0, 1], [0, 1])[0]
-
-    def update(line, **values):
-        numbers = [len(value) if isinstance(value, str) else value for value in values.values()]
-        line.set_ydata([0, sum(number * 0.1**i for i, number in enumerate(numbers))])
-        return str(values)
-
-    return Playground(draw, update, size=(2, 1), **controls)
-
-
-def test_two_sliders_move_together():
-    page, pictures = frames.film(make(a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1)), 121)
-    assert page["together"]
-    assert len(page["frames"]) == 121
-    assert 100 < len(pictures) <= 121
-    assert page["frames"]["0,10"][1] == "{'a': 0.0, 'b': 10.0}"
-    assert page["controls"][1]["texts"][0] == "0.1"
-    assert page["controls"][0]["texts"][page["start"][0]] == "0.3"
-
-
-def test_many_sliders_move_one_at_a_time_and_buttons_with_each():
-    playground = make(a=slider(0, 9, 2), b=slider(0, 5, 5), c=slider(0.0, 1.0, 0.5), d=choice(["x", "yy"]))
-    page, _ = frames.film(playground, 61)
-    assert not page["together"]
-    places = [tuple(map(int, key.split(","))) for key in page["frames"]]
-    away = [sum(place != start for place, start in zip(p[:3], page["start"], strict=False)) for p in places]
-    assert max(away) == 1
-    assert {p[3] for p in places} == {0, 1}
-    assert 50 <= len(places) <= 61
-
-
-@pytest.mark.parametrize(
-    "control", [slider(1, 15, 1, step=2), slider(0.25, 2.5, 0.5, step=0.25), log_slider(1e-6, 1, 1e-4), slider(0, 1, 1)]
-)
-def test_places_of_a_slider_are_its_own(control):
-    values = frames.spread(control, 7)
-    assert {control.low, control.start, control.high} <= set(values)
-    assert values == sorted(set(values))
-    assert all(isinstance(value, control.number) for value in values)
-    if not control.log:
-        steps = (np.array(values) - control.low) / control.step
-        assert np.allclose(steps, np.round(steps))
-
-
-def test_too_many_bytes_make_fewer_pictures(tmp_path, monkeypatch):
-    playground = make(a=slider(0.0, 1.0, 0.3), b=log_slider(0.1, 10, 1))
-    _, pictures = frames.film(playground, 121)
-    monkeypatch.setattr(frames, "BYTES", sum(map(len, pictures)) // 2)
-    frames.record(playground, tmp_path / "0")
-    assert 30 < len(list(tmp_path.glob("0/*.webp"))) < 61
-    assert playground.values == {"a": 0.3, "b": 1}
 
 
 # ---- the pages as files
@@ -128,10 +67,22 @@ def test_pictures_have_words(pages):
 
 
 def test_playgrounds_are_small(site):
-    folders = {path.parent for path in site.glob("_static/frames/*/*/*.webp")}
-    assert len(folders) >= len(LESSONS)
-    for folder in folders:
-        assert sum(path.stat().st_size for path in folder.iterdir()) <= 2_000_000
+    recorded = list(site.glob("_static/recorded/*/*/recorded.js"))
+    assert len(recorded) >= len(LESSONS)
+    for path in recorded:
+        assert path.stat().st_size <= 1_000_000
+        assert path.with_name("start.webp").stat().st_size <= 100_000
+
+
+def test_recordings_are_where_the_pages_look_for_them(site):
+    for name in ("index.html", *LESSONS):
+        places = re.findall(r'data-recorded="(.*?)"', (site / name).read_text(encoding="utf-8"))
+        assert places and all((site / place).is_file() for place in places), name
+
+
+def test_a_page_without_playground_loads_nothing_for_one(pages):
+    parts = {part.split("?")[0] for part in pages["appendix-glossary.html"].parts}
+    assert "_static/large.js" in parts and not parts & {"_static/recorded.js", "_static/playground.css"}
 
 
 def test_formulas_and_references(site, pages):
@@ -151,110 +102,118 @@ def test_the_words_can_be_searched(site):
 # ---- the pages in a browser
 
 
-SEEN = """async figure => {
-  const image = figure.querySelector('img');
-  await image.decode();
-  const canvas = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height});
-  canvas.getContext('2d').drawImage(image, 0, 0);
-  return [canvas.toDataURL(), image.src, image.alt, figure.querySelector('[role=status]').textContent];
-}"""
+SEEN = """figure => [figure.querySelector('canvas').toDataURL(), figure.querySelector('.kf-sentence').textContent]"""
 
 
-def wait_for(figure, source):
-    """Until a playground shows a picture."""
-    image = figure.locator("img").element_handle()
-    figure.page.wait_for_function("([image, source]) => image.src == source", arg=[image, source])
+def live(tab, number=0):
+    """A playground of a page when its picture is there."""
+    figure = tab.locator("figure.playground").nth(number)
+    figure.scroll_into_view_if_needed()
+    figure.locator("img").wait_for(state="detached")
+    return figure
+
+
+def change(figure, act, *how, **options):
+    """Do something, and wait until the picture has come."""
+    figure.evaluate(
+        "figure => { figure.came = false; figure.addEventListener('kf-picture', () => figure.came = true) }"
+    )
+    act(*how, **options)
+    figure.page.wait_for_function("figure => figure.came", arg=figure.element_handle())
+    return figure.evaluate(SEEN)
+
+
+def at_both_ends(figure, slider):
+    """The pictures at a slider's ends."""
+    keys = ["End"] if slider.input_value() == slider.get_attribute("min") else ["Home", "End"]
+    return {change(figure, slider.press, key)[0] for key in keys}
 
 
 @pytest.mark.browser
 def test_a_slider_moves_the_picture(tab):
-    page = tab(VOLTMETER)
-    figure = page.locator("figure.playground")
-    first = figure.evaluate(SEEN)
-    slider = figure.get_by_role("slider").first
-    shown = figure.locator("output").first.inner_text()
-    slider.press("ArrowRight")
-    second = figure.evaluate(SEEN)
+    figure = live(tab(VOLTMETER))
+    first, slider = figure.evaluate(SEEN), figure.get_by_role("slider").first
+    box = figure.locator(".kf-box").first
+    shown = box.input_value()
+    second = change(figure, slider.press, "ArrowRight")
     assert all(before != after for before, after in zip(first, second, strict=True))
-    assert figure.locator("output").first.inner_text() == slider.get_attribute("aria-valuetext") != shown
-    second_slider = figure.get_by_role("slider").nth(1)
-    second_slider.scroll_into_view_if_needed()
-    box = second_slider.bounding_box()
-    second_slider.click(position={"x": 0.9 * box["width"], "y": box["height"] / 2})
-    third = figure.evaluate(SEEN)
-    assert third[0] != second[0] and third[3] != second[3]
-    figure.get_by_role("button", name="Reset").click()
-    wait_for(figure, first[1])
-    assert figure.evaluate(SEEN) == first
+    assert f"{box.input_value()} V²" == slider.get_attribute("aria-valuetext") != f"{shown} V²"
+    size = figure.get_by_role("slider").nth(1).bounding_box()
+    place = {"x": 0.9 * size["width"], "y": size["height"] / 2}
+    third = change(figure, figure.get_by_role("slider").nth(1).click, position=place)
+    assert third[0] != second[0] and third[1] != second[1]
+    assert change(figure, figure.get_by_role("button", name="Reset").click) == first
 
 
-def moves(frames, index):
-    """Whether a control changes the picture, at least with some of the buttons pressed."""
-    pictures = {}
-    for setting, (number, _) in frames.items():
-        others = setting.split(",")
-        del others[index]
-        pictures.setdefault(tuple(others), set()).add(number)
-    return max(map(len, pictures.values())) > 1
+@pytest.mark.browser
+def test_a_playground_is_loaded_when_it_comes_into_view(tab):
+    page = tab(VOLTMETER)
+    assert page.locator("figure img").count() == 1 and page.locator("script[src*='/recorded/']").count() == 0
+    assert [box.input_value() for box in page.locator("figure .kf-box").all()] == ["4", "4"]
+    live(page)
+    assert page.locator("script[src*='/recorded/']").count() == 1
 
 
 @pytest.mark.browser
 @pytest.mark.parametrize("name", LESSONS)
 def test_every_slider_moves_its_picture(tab, name):
-    for figure in tab(name).locator("figure.playground").all():
-        data = json.loads(figure.locator("script").text_content())
-        first, fields = figure.evaluate(SEEN), figure.locator("form input[type=range], form fieldset").all()
-        assert len(fields) == len(data["start"])
-        for index, field in enumerate(fields):
-            if field.get_attribute("type") != "range":
-                continue
-            pictures, numbers = set(), set()
-            for key in ("Home", "End", "ArrowLeft"):
-                field.press(key)
-                setting = [*data["start"][:index], int(field.input_value()), *data["start"][index + 1 :]]
-                number, sentence = data["frames"][",".join(map(str, setting))]
-                picture, source, _, said = figure.evaluate(SEEN)
-                assert said == sentence and source.endswith(f"/{number}.webp")
-                pictures.add(picture)
-                numbers.add(number)
-            assert len(pictures) == len(numbers)
-            assert moves(data["frames"], index), f"{field.get_attribute('aria-label')} moves nothing"
-            figure.get_by_role("button", name="Reset").click()
-            wait_for(figure, first[1])
+    page = tab(name)
+    for number in range(page.locator("figure.playground").count()):
+        figure = live(page, number)
+        first = figure.evaluate(SEEN)
+        for slider in figure.get_by_role("slider").all():
+            seen = {first[0]} | at_both_ends(figure, slider)
+            for button in figure.locator("input[type=radio], input[type=checkbox]").all():
+                if len(seen) == 1 and not button.is_checked():  # some sliders need a button
+                    seen = {change(figure, button.click)[0]} | at_both_ends(figure, slider)
+            assert len(seen) > 1, f"{slider.get_attribute('aria-label')} moves nothing"
+            assert change(figure, figure.get_by_role("button", name="Reset").click) == first
 
 
 @pytest.mark.browser
 def test_a_slider_has_a_name(tab):
     sliders = tab(FUSION).locator("figure.playground").get_by_role("slider").all()
-    assert [box.get_attribute("aria-label") for box in sliders] == ["sigma_x", "mu_z", "sigma_z"]
+    assert [box.get_attribute("aria-label") for box in sliders] == ["sigma x", "mu z", "sigma z"]
 
 
 @pytest.mark.browser
 def test_without_script_there_is_a_picture(tab):
     page = tab(VOLTMETER, java_script_enabled=False)
     assert page.locator("figure.playground img").bounding_box()["width"] > 600
-    assert not page.locator("figure.playground form").is_visible()
+    assert "steady gain" in page.locator("figure.playground .kf-sentence").inner_text()
+    assert page.locator("figure.playground input").count() == 0
 
 
 @pytest.mark.browser
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_controls_can_be_read_in_both_themes(tab, scheme):
+    box = live(tab(VOLTMETER, color_scheme=scheme)).locator(".kf-box").first
+    ink, paper = (box.evaluate(f"box => getComputedStyle(box).{what}") for what in ("color", "backgroundColor"))
+    light, dark = (sum(map(int, re.findall(r"\d+", colour)[:3])) for colour in (ink, paper))
+    assert abs(light - dark) > 400 and (light > dark) == (scheme == "dark")
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [360, 390])
 @pytest.mark.parametrize("name", ["index.html", *LESSONS, "teaching-guide.html", "appendix-errata-museum.html"])
-def test_on_a_phone(tab, name):
-    page = tab(name, width=390, has_touch=True)
-    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+def test_on_a_phone(tab, name, width):
+    page = tab(name, width=width, has_touch=True)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
     sizes = page.locator("article p, article li").evaluate_all(
         "all => all.filter(p => p.innerText).map(p => parseFloat(getComputedStyle(p).fontSize))"
     )
     assert min(sizes) >= 13
     code = page.locator("article pre").evaluate_all("all => all.map(p => parseFloat(getComputedStyle(p).fontSize))")
     assert min(code, default=11) >= 11
-    for image in page.locator("article img").all():
+    for image in page.locator("article :is(img, canvas, input, button:not(.kf-handle))").all():
         box = image.bounding_box()
-        assert box["width"] > 250
-        assert box["x"] + box["width"] <= 390
-    for image in page.locator(".playground img").all():
-        image.tap()
-        assert image.bounding_box()["width"] == int(image.get_attribute("width")) >= 700
-    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+        assert box["width"] > 250 or image.evaluate("image => !['IMG', 'CANVAS'].includes(image.tagName)")
+        assert box["x"] + box["width"] <= width
+    for number in range(page.locator("figure.playground").count()):
+        canvas = live(page, number).locator("canvas")
+        canvas.tap(position={"x": 5, "y": 5})
+        assert 2 * canvas.bounding_box()["width"] == canvas.evaluate("canvas => canvas.width") >= 1400
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
 
 
 @pytest.mark.browser

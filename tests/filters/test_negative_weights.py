@@ -70,8 +70,8 @@ def test_the_posterior_is_looked_at_too():
             assert values[0] > -1e-9 * values[-1]
     bad = np.diag([1.0, 1, 1, 1, 1, -1e-8])
     with pytest.raises(ValueError, match=r"at step 7 .*P⁺ no covariance, with the eigenvalue -1e-08"):
-        refuse_negative("P⁺", np.stack([np.eye(6), bad]), rule, 7)
-    refuse_negative("P⁺", np.diag([1.0, 1, 1, 1, 1, -1e-10]), rule, 7)
+        refuse_negative("P⁺", np.stack([np.eye(6), bad]), rule, 7, np.eye(6))
+    refuse_negative("P⁺", np.diag([1.0, 1, 1, 1, 1, -1e-10]), rule, 7, np.eye(6))
 
 
 def test_a_linear_model_is_right_with_any_weights():

@@ -4,6 +4,7 @@ That the outputs are true is nbval's part, which runs on notebooks/ in the same 
 """
 
 import re
+import shutil
 import statistics
 from itertools import pairwise
 from pathlib import Path
@@ -12,6 +13,8 @@ from urllib.parse import urlparse
 import nbformat
 import pytest
 
+from dev import canvas
+from dev.lab import CHROMIUM, browser
 from dev.lessons import WIDGET, lessons
 from dev.notebooks import execute
 
@@ -21,12 +24,14 @@ LESSONS = lessons()
 per_lesson = pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
 
 SWEEP = """
+from runpy import run_path
 from kflearn.ui import Playground
 _found = [value for value in globals().values() if isinstance(value, Playground)]
 assert _found, "the lesson has no playground"
 for _playground in _found:
     assert _playground.errors == 0
     assert _playground.sweep() >= 3
+run_path({script!r})["keep_all"]({{id(each): each for each in _found}}.values(), {folder!r})
 """
 
 
@@ -149,12 +154,39 @@ def test_links_lead_somewhere(path):
             assert (path.parent / link.partition("#")[0]).exists(), link
 
 
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory):
+    """Runs a lesson and moves its sliders, once; gives what its playgrounds drew there, a folder for `dev.canvas`."""
+    folders = {}
+
+    def run(path):
+        if path not in folders:
+            folder, notebook = tmp_path_factory.mktemp(path.stem), load(path)
+            code = SWEEP.format(script=canvas.__file__, folder=str(folder))
+            notebook.cells.append(nbformat.v4.new_code_cell(code))
+            execute(notebook)
+            assert not [o for o in notebook.cells[-1].outputs if o.output_type == "error"]
+            folders[path] = folder
+        return folders[path]
+
+    return run
+
+
 @per_lesson
-def test_every_slider_works_at_its_ends(path):
-    notebook = load(path)
-    notebook.cells.append(nbformat.v4.new_code_cell(SWEEP))
-    execute(notebook)
-    assert not [o for o in notebook.cells[-1].outputs if o.output_type == "error"]
+def test_every_slider_works_at_its_ends(path, ran):
+    ran(path)
+
+
+@per_lesson
+@pytest.mark.browser
+@pytest.mark.skipif(not CHROMIUM, reason="no chromium, chromium-browser or google-chrome on the PATH")
+def test_the_browser_draws_what_matplotlib_draws(path, ran):
+    folder = ran(path)
+    with browser() as chromium:
+        found = dict(canvas.shares(canvas.page(chromium), folder))
+    shutil.rmtree(folder)
+    assert found
+    assert not {words: share for words, share in found.items() if share > canvas.MOST}
 
 
 @pytest.mark.parametrize("page", ["README.md", "notebooks/00-start-here.ipynb"])

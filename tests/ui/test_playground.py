@@ -1,8 +1,12 @@
 """Live pictures without a browser: the picture follows, errors are told, what is saved with the notebook."""
 
+import html
 import re
+from base64 import b64encode
 
+import nbformat
 import numpy as np
+from nbconvert import HTMLExporter
 
 from kflearn import plots
 from kflearn.ui import log_slider, slider
@@ -124,3 +128,23 @@ def test_gallery(monkeypatch):
     assert lively.values == {"Q": 1.0, "R": 0.5}
     lively.gallery(dict(Q=0.01), dict(Q=1), alt="Three pictures.")
     assert shown[2][0]["text/plain"] == "Figure: Three pictures."
+
+
+def test_a_page_made_of_the_notebook_has_the_picture_and_its_words():
+    """`jupyter nbconvert --to html`, without the state of widgets; of its templates, only this one writes words."""
+    lively = make()
+    data, metadata = lively._repr_mimebundle_()
+    data = data | {"image/png": b64encode(data["image/png"]).decode()}
+    output = nbformat.v4.new_output("execute_result", data, metadata=metadata, execution_count=1)
+    cell = nbformat.v4.new_code_cell("lively", outputs=[output])
+    page, _ = HTMLExporter(template_name="classic").from_notebook_node(nbformat.v4.new_notebook(cells=[cell]))
+    assert data["image/png"] in page
+    assert html.escape(f'alt="{lively}. {lively.status}"', quote=False) in page
+
+
+def test_the_widget_has_the_picture_too():
+    """For the time until the kernel answers, and for a page with the state of widgets but no kernel."""
+    lively = make()
+    lively.set(Q=3.0)
+    lively._repr_mimebundle_()
+    assert lively.widget.first == lively.png()

@@ -36,7 +36,7 @@ html_baseurl = facts["site"]
 html_search_scorer = str(HERE / "scorer.js")
 html_favicon = "static/favicon.svg"
 html_css_files = ["course.css"]
-html_js_files = [("playground.js", {"defer": "defer"})]
+html_js_files = [("large.js", {"defer": "defer"})]
 html_math_renderer = "mathml"
 html_copy_source = html_show_sourcelink = html_show_sphinx = False
 html_show_copyright = html_use_index = False
@@ -129,6 +129,9 @@ def around(app, docname, template, context, doctree):
     context["notebook"] = str(notebook) if Path(app.srcdir, "extra", notebook).exists() else None
     if docname == "appendix-cheat-sheet":
         app.add_css_file("sheet.css", media="print", priority=900)
+    if 'class="playground"' in context.get("body", ""):
+        app.add_css_file("playground.css", priority=400)
+        app.add_js_file("recorded.js", defer="defer")
 
 
 def description(doctree, most=160):

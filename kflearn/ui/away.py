@@ -1,0 +1,60 @@
+"""An arrow at the edge of the axes, for a line that has left them."""
+
+import numpy as np
+from matplotlib.text import Text
+from matplotlib.transforms import IdentityTransform
+
+FAR, ROOM, SIDE = 3, 4, 24  # points: what counts as outside; between arrow and edge; between its middle and a side
+
+
+class Away(Text):
+    """Where a line is furthest above or below its axes: an arrow, and the value there. It follows the line by itself.
+
+    Parameters
+    ----------
+    line : matplotlib Line2D
+        In its axes already.
+    """
+
+    def __init__(self, line):
+        box = dict(facecolor="white", edgecolor="none", alpha=0.8, pad=1)
+        super().__init__(color=line.get_color(), fontsize=9, ha="center", zorder=line.get_zorder() + 1, bbox=box)
+        self.line = line
+        self.set(transform=IdentityTransform(), in_layout=False)
+        line.axes.add_artist(self)
+
+    def draw(self, renderer):
+        """Find the place, and draw."""
+        self.set_text("")
+        if self.line.get_visible() and len(self.line.get_xdata()):
+            self._follow(self.line.axes.bbox, self.figure.dpi / 72)
+        super().draw(renderer)
+
+    def _follow(self, box, point):
+        values = np.ma.asarray(self.line.get_ydata(), dtype=float).filled(np.nan)
+        x, y = self.line.axes.transData.transform(np.column_stack([self.line.get_xdata(), values])).T
+        out = np.where((x >= box.x0) & (x <= box.x1), np.maximum(y - box.y1, box.y0 - y), np.nan)
+        if not np.isfinite(out).any() or np.nanmax(out) < FAR * point:
+            return
+        k = np.nanargmax(out)
+        up, side = y[k] > box.y1, SIDE * point
+        middle = min(max(x[k], box.x0 + side), box.x1 - side)
+        self.set(text=f"{'▲' if up else '▼'} {short(values[k])}", va="top" if up else "bottom")
+        self.set_position((middle, self._edge(box, middle, side, up, ROOM * point)))
+
+    def _edge(self, box, middle, side, up, room):
+        """The height at which it stands: beside the edge, or beside a legend that is there."""
+        edge, legend = box.y1 if up else box.y0, self.line.axes.get_legend()
+        if legend:
+            taken = legend.get_window_extent()
+            beside = taken.x0 - side < middle < taken.x1 + side
+            if beside and abs((taken.y1 if up else taken.y0) - edge) < 5 * room:
+                edge = taken.y0 if up else taken.y1
+        return edge - room if up else edge + room
+
+
+def short(value) -> str:
+    """A number in few signs: 1353, 12.5, −0.04, 3e+09."""
+    size = abs(value)
+    text = f"{value:.0e}" if size >= 1e6 else f"{value:.0f}" if size >= 100 else f"{value:.3g}"
+    return text.replace("-", "−")

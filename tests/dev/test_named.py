@@ -1,0 +1,80 @@
+"""Can a reader of the web page reach, to the digit, every setting that the lessons name?"""
+
+import json
+import re
+from types import SimpleNamespace
+
+import nbformat
+import pytest
+
+from dev.web import build, named
+from kflearn.ui.widgets import Slider
+from tests.dev.web import LESSONS
+
+pytestmark = pytest.mark.timeout(300)
+
+# What somebody found who read the lessons, by the number of the playground.
+READ = {
+    "00": {1: dict(n=[10, 100], sigma=[2])},
+    "01": {0: dict(ratio=[1e-6, 0.01, 0.0625, 100], night=[5, 100])},
+    "02": {0: dict(force=[0], mass=[1, 10], dt=[0.25, 1, 2.5])},
+    "03": {0: dict(Q11=[0.01], R=[50])},
+    "04": {0: dict(sigma_z=[1, 5], mean_z=[70])},
+    "05": {0: dict(Q=[0.001, 0.01, 4, 400], R=[4])},
+    "06": {0: dict(Q=[0.002, 0.04, 1], R=[0.07, 0.16, 0.64, 1])},
+    "07": {0: dict(Q=[0.01, 1, 4, 30], R=[0.1, 1, 4, 10], runs=[1, 50])},
+    "08": {0: dict(echoes=[0, 40], window=[1, 5, 15], Q=[200])},
+    "09": {0: dict(g=[8, 9.8], sigma=[10], gap=[30])},
+    "10": {0: dict(q=[1, 30], gap=[0, 30, 40])},
+    "11": {0: dict(P0=[1e4, 1.5e6, 1e7, 1e12], R=[1e-6])},
+    "12": {0: dict(mean=[0, 3, 15], sigma=[0.5, 8, 10], d=[1, 50])},
+    "13": {0: dict(turn=[0, 180], minute=[4, 8], noise=[0.1, 3])},
+    "14": {0: dict(sigma=[30, 400])},
+    "15": {0: dict(angle=[20, 45], distance=[20], alpha=[0.001, 0.1, 1])},
+    "16": {0: dict(leave=[0.003, 0.05, 0.6], turn=[0, 1], noise=[10])},
+    "17": {0: dict(frame=[*range(18, 33)], q=[100, 300, 900])},
+    "18": {0: dict(gap=[20, 40])},
+    "19": {0: dict(sd=[0.1], tau=[0.1, 2, 1000])},
+    "20": {0: dict(window=[5, 30], floor=[0.5], R=[0.01, 1, 16])},
+    "21": {0: dict(now=[2, 5, 10], lag=[0, 3], sigma=[0.02])},
+    "22": {0: dict(q=[0.02, 0.5, 2, 50], R=[1, 38], gate=[3000])},
+}
+
+
+def told(site, name):
+    """What each playground of a page says about its controls, by their names."""
+    scripts = re.findall(
+        r'(?s)<script type="application/json">(.*?)</script>', (site / name).read_text(encoding="utf-8")
+    )
+    return [{control["name"]: control for control in json.loads(script)["spec"]["controls"]} for script in scripts]
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_what_a_reader_is_told_to_set_is_recorded(site, name):
+    for number, wanted in READ[name[:2]].items():
+        controls = told(site, name)[number]
+        for key, values in wanted.items():
+            assert set(values) <= set(controls[key]["places"]), key
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_what_is_found_in_the_text_is_recorded(site, name):
+    cells = nbformat.read(build.NOTEBOOKS / f"{name[:-5]}.ipynb", as_version=4).cells
+    made = [found for cell in cells for found in re.findall(r"(?m)^(\w+) = Playground\(", cell.source)]
+    count = 0
+    for variable, controls in zip(made, told(site, name), strict=True):
+        for key, values in named.settings(playground(controls), cells, variable).items():
+            assert set(values) <= set(controls[key]["places"]), key
+            count += len(values)
+    assert count >= (0 if name[:2] == "03" else 2)  # in lesson 3 sliders are pushed to their ends
+
+
+def playground(controls):
+    """Sliders as the lesson made them, from what a page tells."""
+    return SimpleNamespace(controls={key: slider(c) for key, c in controls.items() if c["kind"] == "slider"})
+
+
+def slider(told):
+    label, step = told["plain"].replace("sigma ", "sigma_"), None if told["log"] else told["step"]
+    made = Slider(told["low"], told["high"], told["places"][0], label, told["unit"], told["log"], step)
+    return made.attach(told["name"])
