@@ -21,7 +21,7 @@ from dev.notebooks import execute
 ROOT = Path(__file__).parents[2]
 
 LESSONS = lessons()
-OPEN = "open-text", "open-answer"  # the cells of an open exercise, a filter from nothing: they come on top of the measure
+OPEN = "open-text", "open-answer"  # a filter from nothing: these two cells come on top of the measure
 per_lesson = pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
 
 SWEEP = """
