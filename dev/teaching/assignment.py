@@ -14,7 +14,6 @@ in answers-04-05.csv.
 
 import argparse
 import ast
-import inspect
 import os
 import re
 import symtable
@@ -99,7 +98,7 @@ def new(cell, module):
         source, answer = re.sub(r"\banswer\b", f"answer_{name}", source), f"answer_{name}"
     else:
         answer = handed_in.id
-    source = with_solution(source, answer, getattr(module, name), module)
+    source = with_solution(source, answer, getattr(module, name))
     return [
         new_cell("code", source, name, solution=True),
         new_cell("code", GRADE.format(name=name, answer=answer), f"points-{name}", grade=True, locked=True, points=1),
@@ -113,20 +112,17 @@ def is_check(statement):
     )
 
 
-def with_solution(source, answer, exercise, module):
+def with_solution(source, answer, exercise):
     """The cell with the solution behind the learner's dots."""
-    lines = exercise.solution().text.replace(f"def {exercise.name}(", "def solved(", 1).splitlines()
-    for name in sorted(names("\n".join(lines))[0] & set(vars(module))):
-        value = vars(module)[name]
-        one = (
-            f"import {value.__name__} as {name}" if inspect.ismodule(value) else f"from {module.__name__} import {name}"
-        )
-        lines.insert(1, f"    {one}")
+    *lines, check = exercise.solution().text.splitlines()
+    found = ast.parse(check).body[0].value.args[0].id
     place = next(s for s in ast.parse(source).body if answer in names(ast.unparse(s))[1])
     is_function = isinstance(place, ast.FunctionDef)
-    arguments = ", ".join(each.arg for each in place.args.args) if is_function else ""
-    result = f"return solved({arguments})" if is_function else f"{answer} = solved()"
-    block = ["### BEGIN SOLUTION", *lines, "", result, "### END SOLUTION"]
+    if is_function:
+        lines += [f"return {found}({', '.join(each.arg for each in place.args.args)})"]
+    else:
+        lines = [re.sub(r"\banswer\b", answer, line) for line in lines]
+    block = ["### BEGIN SOLUTION", *lines, "### END SOLUTION"]
     indent = "    " if is_function else ""
     code = source.splitlines()
     code[place.end_lineno : place.end_lineno] = [f"{indent}{line}".rstrip() for line in block]

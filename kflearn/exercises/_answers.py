@@ -4,16 +4,15 @@ An answer may be any object at all: one that fights back may raise here, and the
 The words are deterministic (no addresses, no folders), so that a saved notebook can be compared with a new run.
 """
 
-import contextlib
 import inspect
-import io
 import linecache
 import re
 import textwrap
 import traceback
-import warnings
 
 import numpy as np
+
+from kflearn.exercises._watch import SECONDS, TooLong
 
 ENTRIES_SHOWN = 12  # a larger array is named by its shape
 
@@ -22,7 +21,7 @@ class Misfit(Exception):
     """An answer of the wrong form; the text says what it is instead."""
 
 
-def fault(answer, right, subject, rtol, atol, reveal) -> str | None:
+def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | None:
     """What is wrong with an answer.
 
     Parameters
@@ -36,14 +35,18 @@ def fault(answer, right, subject, rtol, atol, reveal) -> str | None:
         Tolerances, as in `numpy.isclose`; with atol None, 1e-12 of the largest number in `right`.
     reveal : bool
         Whether the sentence may show the right answer.
+    by_hand : bool
+        Whether the numbers were typed: then three digits are enough, unless whole numbers are wanted.
 
     Returns
     -------
     str or None
         A sentence without its capital letter; None if nothing is wrong.
     """
+    if isinstance(answer, dict) and (parts(right) or np.ndim(right)):  # figures under their names: its values, in order
+        answer = list(answer.values())
     if wanted := parts(right):
-        return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal)
+        return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand)
     right = np.asarray(right)
     try:
         given = _numbers(answer, right)
@@ -51,7 +54,7 @@ def fault(answer, right, subject, rtol, atol, reveal) -> str | None:
         return f"{subject} should be {_form(right.shape)}, but it is {instead}."
 
     right = right.astype(given.dtype)
-    good = _close(given, right, rtol, atol)
+    good = _close(given, right, rtol, atol) | (_to_three_digits(given, right) if by_hand else False)
     if good.all():
         return None
     at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
@@ -61,12 +64,12 @@ def fault(answer, right, subject, rtol, atol, reveal) -> str | None:
         return f"{subject} is {_beside(given, right, at, verdict)}."
     if not verdict and right.size > 1:
         verdict = f"differs in {(~good).sum()} of {right.size} entries: {list(at)} is {direction}"
-    if not verdict and _close(given, right, 0.02).all():
-        verdict = f"is close, but {direction}: if you rounded, keep more digits"
+    if not verdict and by_hand and given.size == 1 and _is_rounded(given.item(), right.item()):
+        verdict = "is rounded too much: give three digits or more"
     return f"{subject} {verdict or f'is {direction}'}."
 
 
-def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal):
+def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand):
     """The first fault in the parts of an answer; `wanted` holds the right ones by name."""
     is_row = isinstance(answer, list) or (isinstance(answer, np.ndarray) and answer.ndim > 0)
     given = answer if is_row else list(parts(answer).values())
@@ -74,7 +77,7 @@ def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal):
         found = len(given) or f"one of type {type(answer).__name__}"
         return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
     pairs = zip(given, wanted.items(), strict=True)
-    faults = (fault(piece, part, f"{name} of {subject}", rtol, atol, reveal) for piece, (name, part) in pairs)
+    faults = (fault(piece, part, f"{name} of {subject}", rtol, atol, reveal, by_hand) for piece, (name, part) in pairs)
     return next(filter(None, faults), None)
 
 
@@ -127,6 +130,25 @@ def _close(given, right, rtol, atol=None):
     return np.isclose(given, right, rtol, atol, equal_nan=True)
 
 
+def _to_three_digits(given, right):
+    """Entry by entry: the right number, rounded to three digits; whole numbers are wanted exactly."""
+    return (
+        np.array(
+            [
+                not float(b).is_integer() and float(a) == float(f"{b:.3g}")
+                for a, b in zip(given.flat, right.flat, strict=True)
+            ]
+        ).reshape(right.shape)
+        if right.dtype.kind == "f"
+        else np.False_
+    )
+
+
+def _is_rounded(given, right):
+    """Whether a typed number is the right one, rounded to two digits."""
+    return isinstance(right, float) and not right.is_integer() and given == float(f"{right:.2g}")
+
+
 def _relatives(right):
     """Arrays that differ from the right one in a way which is easily named."""
     yield "has the opposite sign", -right
@@ -136,16 +158,24 @@ def _relatives(right):
         yield f"is {10**power} times too small", right / 10.0**power
 
 
-def chosen(answer) -> frozenset:
-    """A choice as a set of plain words: "B)" is {"b"}, "A, C" is {"a", "c"}, 3 is {"3"}, True is {"true"}."""
+def chosen(answer, choices=frozenset()) -> frozenset:
+    """A choice as a set of plain words: "B)" is {"b"}, "A, C" is {"a", "c"}, 3 is {"3"}, True is {"true"}.
+
+    choices: "A and C" and "AC" are two of them too, unless that is the name of one.
+    """
     if isinstance(answer, (np.ndarray, np.generic)) and answer.size <= 100:
         answer = answer.tolist()
     if isinstance(answer, str):
-        return frozenset(part.strip(" .()").casefold() for part in re.split("[,;+&]", answer))
+        whole = answer.strip(" .()").casefold()
+        if whole in choices:
+            return frozenset({whole})
+        found = frozenset(part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b", answer)) - {""}
+        letters = frozenset(whole.replace(" ", ""))
+        return letters if letters and letters <= choices and not found <= choices else found
     if isinstance(answer, bool):
         return frozenset({str(answer).casefold()})
     if isinstance(answer, (list, tuple, set, frozenset, range)) and len(answer) <= 100:
-        return frozenset().union(*map(chosen, answer))
+        return frozenset().union(*(chosen(part, choices) for part in answer))
     if int(answer) != answer:
         raise ValueError("a fraction is no choice")
     return frozenset({str(int(answer))})
@@ -164,14 +194,6 @@ def parts(value) -> dict:
 
 
 # ---- functions the learner hands in
-
-
-@contextlib.contextmanager
-def quiet():
-    """Keep to ourselves what the learner's code prints and warns of."""
-    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        yield
 
 
 def unfinished(answer, depth=5) -> bool:
@@ -205,12 +227,14 @@ def told(error, function, inputs) -> tuple[str, str]:
     except Exception:
         message = ""
     left_open = any(value is ... for frame, _ in places for value in frame.f_locals.values())
-    if left_open or "ellipsis" in message or isinstance(error, NotImplementedError):
+    if left_open or "ellipsis" in message or type(error) is NotImplementedError:
         return "not attempted", "A `...` is still in your function: put your code in its place."
     message = re.sub(r" at 0x[0-9a-fA-F]+", "", message)
     message = re.sub(r"(?<!\w)(?:[A-Za-z]:)?[\\/](?:[^\s'\"\\/]+[\\/])+", "", message)  # folders
     said = _code(f"{type(error).__name__}: {message}".rstrip(": "))
     line = linecache.getline(places[-1][0].f_code.co_filename, places[-1][1]).strip() if places else ""
+    if isinstance(error, TooLong):
+        said = f"it was stopped after {SECONDS} seconds: does a loop never end?"
     return "raised", said + (f" in the line {_code(line)}" if line else "") + f", called with {_code(inputs)}."
 
 
@@ -246,8 +270,9 @@ def _count(number, noun):
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def listed(choices) -> str:
-    """Choices in order, on a short line; letters as capitals."""
-    names = (choice.upper() if len(choice) == 1 else choice for choice in choices)
-    line = ", ".join(sorted(names, key=lambda name: (len(name), name)))
+def listed(choices, names=None) -> str:
+    """Choices in order, on a short line; as they are named, else letters as capitals."""
+    names = names or {}
+    texts = (names.get(choice, choice.upper() if len(choice) == 1 else choice) for choice in choices)
+    line = ", ".join(sorted(texts, key=lambda name: (len(name), name)))
     return textwrap.shorten(line, 160, placeholder="…")

@@ -16,59 +16,84 @@ def core(differs):
     return largest(ndimage.binary_erosion(differs, SQUARE, iterations=2))
 
 
+def neighbours(differs, structure):
+    """What hangs together with the eroded ball."""
+    labels, _ = ndimage.label(differs, structure)
+    return labels == labels[core(differs)][0]
+
+
 def disc_radius(region):
     return np.sqrt(region.sum() / np.pi)
 
 
-WRONG = {
-    "true_radius": {
-        "as published": (
-            lambda d: disc_radius(core(d)),
-            "That is the published radius again: the right region, counted after the erosions have taken its rim.",
-        ),
-        "two pixels added": (
-            lambda d: disc_radius(core(d)) + 2,
-            "Two erosions do not take off two pixels: a square reaches further along its diagonals. Count instead of guessing.",
-        ),
-        "all that differs": (
-            disc_radius,
-            "You counted everything that differs, stray pixels and cable included: only the ball's own region.",
-        ),
-        "largest before erosion": (
-            lambda d: disc_radius(largest(d)),
-            "Without erosion the largest region may be the cable, long and thin. Let the erosions decide which region it is.",
-        ),
-        "all cores": (
-            lambda d: disc_radius(ndimage.binary_propagation(ndimage.binary_erosion(d, SQUARE, iterations=2), mask=d)),
-            "You grew everything that survives the erosions: take the largest of these regions first.",
-        ),
-        "all eroded": (
-            lambda d: disc_radius(ndimage.binary_erosion(d, SQUARE, iterations=2)),
-            "You counted all that is left after the erosions, still without its rim: first choose the largest region, then undo the loss.",
-        ),
-        "dilated twice": (
-            lambda d: disc_radius(ndimage.binary_dilation(core(d), SQUARE, iterations=2)),
-            "Two dilations give nearly all of it back, but not the shape that was there: count the region as it stands in `differs`.",
-        ),
-        "eroded once": (
-            lambda d: disc_radius(largest(ndimage.binary_erosion(d, SQUARE))),
-            "One erosion less loses less, but it still loses, and the cable may survive it.",
-        ),
-        "area": (
-            lambda d: ndimage.binary_propagation(core(d), mask=d).sum(),
-            "That is the area, in pixels, and it is right. The radius is the root of area/π.",
-        ),
-        "root forgotten": (
-            lambda d: ndimage.binary_propagation(core(d), mask=d).sum() / np.pi,
-            "The area is right, the root is missing: area = π radius².",
-        ),
-        "diameter": (
-            lambda d: 2 * disc_radius(ndimage.binary_propagation(core(d), mask=d)),
-            "That is the diameter.",
-        ),
-        "π forgotten": (
-            lambda d: np.sqrt(ndimage.binary_propagation(core(d), mask=d).sum()),
-            "The area is right; a disc's radius is the root of area/π, not of the area.",
-        ),
-    },
+WRONG = {}
+
+WRONG["true_radius"] = {
+    "as published": (
+        lambda d: disc_radius(core(d)),
+        "That is the published radius again: the right region, counted after the erosions have taken its rim.",
+    ),
+    "two pixels added": (
+        lambda d: disc_radius(core(d)) + 2,
+        "Two erosions do not take off two pixels: a square reaches further along its diagonals. Count instead of guessing.",
+    ),
+    "all that differs": (
+        disc_radius,
+        "You counted everything that differs, stray pixels and cable included: only the ball's own region.",
+    ),
+    "largest before erosion": (
+        lambda d: disc_radius(largest(d)),
+        "Without erosion the largest region may be the cable, long and thin. Let the erosions decide which region it is.",
+    ),
+    "all cores": (
+        lambda d: disc_radius(ndimage.binary_propagation(ndimage.binary_erosion(d, SQUARE, iterations=2), mask=d)),
+        "You grew everything that survives the erosions: take the largest of these regions first.",
+    ),
+    "all eroded": (
+        lambda d: disc_radius(ndimage.binary_erosion(d, SQUARE, iterations=2)),
+        "You counted all that is left after the erosions, still without its rim: first choose the largest region, then undo the loss.",
+    ),
+    "dilated twice": (
+        lambda d: disc_radius(ndimage.binary_dilation(core(d), SQUARE, iterations=2)),
+        "Two dilations give nearly all of it back, but not the shape that was there: count the region as it stands in `differs`.",
+    ),
+    "eroded once": (
+        lambda d: disc_radius(largest(ndimage.binary_erosion(d, SQUARE))),
+        "One erosion less loses less, but it still loses, and the cable may survive it.",
+    ),
+    "area": (
+        lambda d: ndimage.binary_propagation(core(d), mask=d).sum(),
+        "That is the area, in pixels, and it is right. The radius is the root of area/π.",
+    ),
+    "root forgotten": (
+        lambda d: ndimage.binary_propagation(core(d), mask=d).sum() / np.pi,
+        "The area is right, the root is missing: area = π radius².",
+    ),
+    "diameter": (
+        lambda d: 2 * disc_radius(ndimage.binary_propagation(core(d), mask=d)),
+        "That is the diameter.",
+    ),
+    "π forgotten": (
+        lambda d: np.sqrt(ndimage.binary_propagation(core(d), mask=d).sum()),
+        "The area is right; a disc's radius is the root of area/π, not of the area.",
+    ),
+    "eight neighbours": (
+        lambda d: disc_radius(neighbours(d, SQUARE)),
+        "You let pixels hang together across corners as well. Then stray pixels that touch the ball at a corner "
+        "count with it: label as the lesson does, without a second argument.",
+    ),
+    "two diamonds": (
+        lambda d: disc_radius(ndimage.binary_dilation(core(d), iterations=2)),
+        "Two dilations with a cross do not give back what two erosions with a square took: count the region as it"
+        " stands in `differs`.",
+    ),
+    "scaled": (
+        lambda d: disc_radius(core(d)) * 14 / 11.84,
+        "14/11.84 is right for the ball of the film only. Another ball loses another share of its radius: count "
+        "its pixels in `differs`.",
+    ),
+    "the region": (
+        lambda d: ndimage.binary_propagation(core(d), mask=d),
+        "That is the region, and it is right. Return its radius: the root of its number of pixels over π.",
+    ),
 }

@@ -57,6 +57,26 @@ WRONG = {
             "You handed back the error at t₀. It shrinks as t does, although nothing is measured.",
         ),
         "nothing left": (lambda e, v, t0, t: 0.0, "Zero is right only at t = 0, the impact."),
+        "coasting from here": (
+            lambda e, v, t0, t: e + v * t,
+            "You let the error coast for t seconds. t is the time still to go; and the error does not coast, both are steered.",
+        ),
+        "coasting, scaled": (
+            lambda e, v, t0, t: (e + v * (t0 - t)) * t / t0,
+            "You let the error coast and scaled it by t/t₀. Neither part is right alone: fit a·t + b·t³ to e and to v at t₀.",
+        ),
+        "line plus coasting": (
+            lambda e, v, t0, t: e * t / t0 + v * (t0 - t),
+            "You added the coasting of v to a straight line. Fit a·t + b·t³: its value at t₀ is e, its slope against t is −v.",
+        ),
+        "e and v as coefficients": (
+            lambda e, v, t0, t: e * t + v * t**3,
+            "You took e and v themselves for a and b. They are the error and its velocity at t₀: two equations for a and b.",
+        ),
+        "time gone": (
+            lambda e, v, t0, t: e * (1 - t / t0),
+            "You took t for the time that has passed. It is the time to go: at t = t₀ the whole error is still there.",
+        ),
     },
     "figures": {
         "as published": (
@@ -106,6 +126,104 @@ WRONG = {
         "one column each": (
             lambda e: np.stack([np.sqrt(s.mean(axis=0)) for s in three(e)], axis=-1),
             "The numbers are right; hand them back as three series, each (T,), not as T rows of three.",
+        ),
+        "for each run": (
+            lambda e: [np.sqrt(s) for s in three(e)],
+            "These are the distances of each run. The mean of their squares over the runs is missing, before the root.",
+        ),
+        "nine rows": (
+            lambda e: np.sqrt(np.mean(e**2, axis=0)),
+            "That is one column for each of the nine states. Put three axes together: add their squares before the mean.",
+        ),
+        "two series": (
+            lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[:2]],
+            "The first two are right; the third series, the acceleration's (indices 6 to 8), is missing.",
+        ),
+        "one axis": (
+            lambda e: [np.sqrt(np.mean(e[..., k] ** 2, axis=0)) for k in (0, 3, 6)],
+            "You took the first axis of each alone. Position, velocity and acceleration have three axes each: add their squares.",
+        ),
+        "two axes": (
+            lambda e: [np.sqrt(np.mean(np.sum(e[..., k : k + 2] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)],
+            "You took two axes of three: `k : k + 2` ends before k + 2.",
+        ),
+        "mean size": (
+            lambda e: [np.mean(abs(e[..., k : k + 3]), axis=(0, 2)) for k in (0, 3, 6)],
+            "Those are mean sizes of the errors of an axis. Add the squares of three axes, take the mean over the runs, then the root.",
+        ),
+    },
+    "memory": {
+        "as published": (
+            lambda lasts, sd, dt: (np.exp(-1e4 * dt), 0.1),
+            "That is the published pair: a memory of a ten-thousandth of a second, and 0.1 whatever the manoeuvre. λ is 1/lasts.",
+        ),
+        "rate and time swapped": (
+            lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-2 * lasts * dt))),
+            "You used λ = lasts. A rate is one over a time: the longer a manoeuvre lasts, the *smaller* λ.",
+        ),
+        "what fades": (
+            lambda lasts, sd, dt: (1 - np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
+            "Your first number is what fades in a step; asked is what survives. The variance is right.",
+        ),
+        "part not squared": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts))),
+            "The part is right. But a variance that is multiplied by `part` on the way through F is multiplied by part².",
+        ),
+        "(1 − part)²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts)) ** 2),
+            "The part is right. Variances add up, not standard deviations: part²·sd² + noise = sd².",
+        ),
+        "sd not squared": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * (1 - np.exp(-2 * dt / lasts))),
+            "The part is right, but the noise is a variance: sd² and not sd.",
+        ),
+        "standard deviation": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * np.sqrt(1 - np.exp(-2 * dt / lasts))),
+            "That is the noise's standard deviation; Q wants its variance.",
+        ),
+        "sd² every step": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2),
+            "With sd² added at every step the variance would grow beyond sd², for part of the old one survives.",
+        ),
+        "sd² dt": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * dt),
+            "The part is right, the noise does not know how long a manoeuvre lasts: what fades must be filled up, sd²(1 − part²).",
+        ),
+        "straight line": (
+            lambda lasts, sd, dt: (1 - dt / lasts, sd**2 * (1 - (1 - dt / lasts) ** 2)),
+            "Nearly: 1 − dt/lasts is the tangent to e^(−dt/lasts), good for short steps only. Use the exponential.",
+        ),
+        "short steps": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), 2 * sd**2 * dt / lasts),
+            "Nearly: 2·sd²·dt/lasts holds for short steps only. The exact variance is sd²(1 − part²).",
+        ),
+        "other way round": (
+            lambda lasts, sd, dt: (sd**2 * (1 - np.exp(-2 * dt / lasts)), np.exp(-dt / lasts)),
+            "Both are right, in the wrong order: first the part, then the variance.",
+        ),
+        "what is left of sd²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * np.exp(-2 * dt / lasts)),
+            "The part is right. Your second number is the variance that survives; the noise is what is missing to sd².",
+        ),
+        "part of sd²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * np.exp(-dt / lasts)),
+            "The part is right. The noise must fill up what fades, to sd² again: part²·sd² + noise = sd².",
+        ),
+        "grows": (
+            lambda lasts, sd, dt: (np.exp(dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
+            "The sign of the exponent: what survives is less than 1.",
+        ),
+        "sd not squared, part not squared": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * (1 - np.exp(-dt / lasts))),
+            "The part is right. In the noise both are variances: sd² and part².",
+        ),
+        "sd": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd),
+            "The part is right. The noise only fills up what fades in a step, and it is a variance: sd²(1 − part²).",
+        ),
+        "rate and time swapped, not squared": (
+            lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-lasts * dt))),
+            "Two things: λ is 1/lasts, not lasts; and the variance that survives is part² times sd².",
         ),
     },
 }

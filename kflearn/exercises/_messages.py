@@ -44,5 +44,5 @@ class Outcome(Message):
     def __init__(self, status, sentence):
         if re.match(r"[a-z]+[ ,]", sentence):  # a word, and not code such as `np.std`
             sentence = sentence[0].upper() + sentence[1:]
-        self.status = status
+        self.status, self.sentence = status, sentence
         super().__init__(f"{LEAD[status]} {sentence}", f"**{LEAD[status]}** {sentence}")

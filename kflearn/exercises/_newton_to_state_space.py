@@ -89,9 +89,45 @@ WRONG = {
             lambda dt, mass: (np.eye(2), column(0.0, dt / mass)),
             "Nothing ever moves your position: (1) adds v·dt to it, and the push adds dt²/2m.",
         ),
+        "a flat B": (
+            lambda dt, mass: (moving(dt), np.array([dt**2 / 2, dt]) / mass),
+            "The numbers are right. But your B is flat, of shape (2,): a row for each state, a column for each input, shape (2, 1).",
+        ),
+        "B in a row": (
+            lambda dt, mass: (moving(dt), np.array([[dt**2 / 2, dt]]) / mass),
+            "The numbers are right. But your B is a row: a row for each state, a column for each input, shape (2, 1).",
+        ),
+        "mass in F": (
+            lambda dt, mass: (np.array([[1.0, dt], [0.0, 1 / mass]]), column(dt**2 / 2, dt) / mass),
+            "B is right. No mass belongs in F: without a force the cart keeps its velocity, however heavy it is.",
+        ),
         "the order of the pair": (
             lambda dt, mass: (column(dt**2 / 2, dt) / mass, moving(dt)),
             "Both are right, in the wrong order: return F first, then B.",
+        ),
+        "acceleration in F": (
+            lambda dt, mass: (np.array([[1, dt**2 / 2], [0, 1.0]]), column(dt**2 / 2, dt) / mass),
+            "B is right. In F you wrote dt²/2, which belongs to an acceleration: the velocity moves the position by v·dt.",
+        ),
+        "B without dt": (
+            lambda dt, mass: (moving(dt), column(0.0, 1 / mass)),
+            "F is right. A force acts for the whole step: the velocity gains F/m·dt, and the position dt²/2m.",
+        ),
+        "B a factor dt short": (
+            lambda dt, mass: (moving(dt), column(dt, 1.0) / mass),
+            "F is right. Write units beside B: its entries turn newtons into metres and metres per second, dt²/2m and dt/m.",
+        ),
+        "three states": (
+            lambda dt, mass: (np.array([[1, dt, dt**2 / 2], [0, 1, dt], [0, 0, 1]]), column(dt**2 / 2, dt) / mass),
+            "B is right. The acceleration is no part of the state here, it is the input: F is (2, 2).",
+        ),
+        "mass under the second": (
+            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt / mass)),
+            "F is right, and so is the second entry of B. The first turns newtons into metres: divide by the mass there too.",
+        ),
+        "F turned": (
+            lambda dt, mass: (moving(dt).T, column(dt**2 / 2, dt)),
+            "F is transposed (dt stands at the upper right), and B is not divided by the mass yet.",
         ),
     },
     "held_push": {
@@ -147,5 +183,26 @@ WRONG = {
             lambda T, sigma: T * push_covariance(T / 2, 1.0, sigma),
             "You multiplied Q by T. G needs the factor T, and G stands twice in Q: that makes T².",
         ),
+        "[T, 1]": (
+            lambda T, sigma: push_covariance(T, 1.0, sigma),
+            "Write units beside your G: an acceleration, held for T, makes metres above (T²/2) and metres per second below (T).",
+        ),
+        "half below too": (
+            lambda T, sigma: push_covariance(T**2 / 2, T / 2, sigma),
+            "The first entry of G is right. The velocity gains all of a·T: no ½ there.",
+        ),
+        "σ⁴": (
+            lambda T, sigma: sigma**2 * push_covariance(T**2 / 2, T, sigma),
+            "You multiplied by σ² twice. σ² G Gᵀ has it once.",
+        ),
+        "one power more": (
+            lambda T, sigma: push_covariance(T**3 / 6, T**2 / 2, sigma),
+            "That would be a jerk, held for T. An acceleration moves the velocity by a·T and the position by a·T²/2.",
+        ),
+        "corners not halved": (
+            lambda T, sigma: sigma**2 * np.array([[T**4 / 4, T**3], [T**3, T**2]]),
+            "The diagonal is right. The corners are the products of the two entries of G: T²/2 times T.",
+        ),
+        "G alone": (lambda T, sigma: column(T**2 / 2, T), "That is G. Q is the covariance σ² G Gᵀ, a matrix (2, 2)."),
     },
 }

@@ -1,10 +1,13 @@
 """Lesson 8: the bearing of a sound."""
 
-import math
-
 import numpy as np
 
-from kflearn.exercises.engine import exercise
+from kflearn import angle_difference
+from kflearn.exercises._bearing_of_a_sound import WRONG
+from kflearn.exercises._hints import tried
+from kflearn.exercises._judge import series
+from kflearn.exercises._speaker import FAILING, PASSING, off, recording
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 def mended_prediction(P, dt, q):
@@ -24,81 +27,27 @@ def repairs(prediction, update):
 
 
 def differences(rng):
-    """A difference of two bearings, one of which may have gone round twice."""
-    return (float(rng.integers(-7190, 7190) / 10),)
+    """A difference of two bearings, one of which may have gone round several times; never half a turn."""
+    return (float(rng.integers(-1440, 1440)) + 0.5,)
 
 
 @exercise(
     hints=[
         "The remainder `% 360` puts every angle between 0 and 360. You want −180 to 180: the same width, moved by half a turn.",
         "Move the difference up by half a turn, take the remainder, move back down.",
+        tried(
+            (331,),
+            "wrap(331)",
+            "Work it out by hand: from 8° to 339° it is 29° to the left, which is −29.",
+            "Work out one case by hand: 339 − 8 is 331, and from 8° to 339° it is 29° to the left, −29.",
+        ),
         "In one line: `return (difference + 180) % 360 - 180`.",
     ],
     inputs=differences,
     rtol=1e-9,
     atol=1e-9,
-    wrong={
-        "untouched": (
-            lambda d: d,
-            "That hands the difference back as it came: 8 − 339 is still −331, the long way round.",
-        ),
-        "% 360": (
-            lambda d: d % 360,
-            "`% 360` alone gives 0 to 360: a step of 3° to the left becomes 357° to the right.",
-        ),
-        "absolute value": (
-            lambda d: abs((d + 180) % 360 - 180),
-            "The size is right, but the sign is lost: the filter would turn the same way whatever it hears.",
-        ),
-        "absolute value first": (
-            lambda d: abs(d) % 360,
-            "`abs` throws away the direction, and the result still goes up to 360.",
-        ),
-        "absolute value only": (
-            lambda d: abs(d),
-            "`abs` throws away the direction and shortens nothing: 331 is as long a way as −331.",
-        ),
-        "radians": (
-            lambda d: (d + math.pi) % (2 * math.pi) - math.pi,
-            "You wrapped at π, as for radians; these are degrees, a turn is 360.",
-        ),
-        "radians returned": (
-            lambda d: math.radians((d + 180) % 360 - 180),
-            "Wrapped rightly, but then turned into radians; the filter lives in degrees.",
-        ),
-        "from 0 to 360 with half a turn": (
-            lambda d: (d + 180) % 360,
-            "You moved up by half a turn and forgot to come back down: a difference of 0 becomes 180.",
-        ),
-        "half a turn as period": (
-            lambda d: (d + 90) % 180 - 90,
-            "You wrapped with a period of 180: a voice behind would be taken for one in front.",
-        ),
-        "only downwards": (
-            lambda d: d - 360 if d > 180 else d,
-            "You mend differences above 180 only; 8 − 339 = −331 needs a turn added.",
-        ),
-        "only upwards": (
-            lambda d: d + 360 if d < -180 else d,
-            "You mend differences below −180 only; 339 − 8 = 331 needs a turn taken off.",
-        ),
-        "one turn only": (
-            lambda d: d - 360 if d > 180 else d + 360 if d < -180 else d,
-            "Right for one turn. But the estimate itself is never wrapped and may be two turns on: use the remainder, `%`.",
-        ),
-        "C's remainder": (
-            lambda d: math.fmod(d + 180, 360) - 180,
-            "`fmod` keeps the sign of its first argument, as C's does, so what lies below −180 comes out too low; Python's `%` does not.",
-        ),
-        "the other way round": (
-            lambda d: -((d + 180) % 360 - 180),
-            "The size is right and the sign is the opposite: the filter would walk away from the sound.",
-        ),
-        "arcsine of the sine": (
-            lambda d: math.degrees(math.asin(math.sin(math.radians(d)))),
-            "The arcsine knows only −90 to 90: that is the front/back ambiguity of the two microphones again.",
-        ),
-    },
+    wrong=WRONG["wrap"],
+    then="Half a turn is the one difference with two right answers: 180 and −180 are equally far.",
 )
 def wrap(difference):
     """The same difference of two bearings (degrees), written between −180 and 180."""
@@ -107,50 +56,28 @@ def wrap(difference):
 
 def stuck_rates(rng):
     """A rate that never changes, a gain, a time step."""
-    return float(rng.integers(-60, 60)), float(rng.integers(1, 10) / 10), float(rng.integers(1, 11) / 10)
+    return (
+        float(rng.integers(1, 60) * rng.choice([-1, 1])),
+        float(rng.integers(1, 10) / 10),
+        float(rng.integers(1, 11) / 10),
+    )
 
 
 @exercise(
     hints=[
         "At rest the offset is the same after every step. What does one step add to it, and what does the correction leave of it?",
+        tried(
+            (10, 0.5, 1),
+            "offset(10, 0.5, 1)",
+            "By hand: each step adds 10 and leaves one half, so after the steps it is 5, 7.5, 8.75 … Where does that end?",
+            "Take x₁ = 10, K = 0.5, dt = 1: each step adds 10 and leaves one half: 5, 7.5, 8.75 … Where does that end?",
+        ),
         "Prediction: offset + dt·x₁. Correction: the part 1 − K of that is left. At rest this is the offset itself.",
         "offset = (1 − K)(offset + dt·x₁). Bring the offset to one side: offset·K = (1 − K)·dt·x₁.",
     ],
     inputs=stuck_rates,
-    wrong={
-        "one push": (
-            lambda x1, K, dt: dt * x1,
-            "One step adds dt·x₁. The correction takes a part away, and what it leaves piles up.",
-        ),
-        "one push, corrected once": (
-            lambda x1, K, dt: (1 - K) * dt * x1,
-            "That is the offset after the first step. What is left of it is there when the next push comes: let it pile up until it rests.",
-        ),
-        "before the correction": (
-            lambda x1, K, dt: dt * x1 / K,
-            "That is the offset of the prediction; the correction leaves the part 1 − K of it.",
-        ),
-        "dt forgotten": (
-            lambda x1, K, dt: x1 * (1 - K) / K,
-            "You forgot dt: one step adds dt·x₁, not x₁.",
-        ),
-        "K and 1 − K swapped": (
-            lambda x1, K, dt: dt * x1 * K / (1 - K),
-            "K and 1 − K have changed places: a filter that believes its readings (K near 1) is pulled off less, not more.",
-        ),
-        "negative": (
-            lambda x1, K, dt: -dt * x1 * (1 - K) / K,
-            "The sign: a rate that is stuck at a positive value pushes the estimate above the readings. Offset means estimate minus truth.",
-        ),
-        "divided by dt": (
-            lambda x1, K, dt: x1 * (1 - K) / (K * dt),
-            "You divided by dt; degrees per second times seconds give degrees.",
-        ),
-        "sum of pushes": (
-            lambda x1, K, dt: dt * x1 / (1 - K),
-            "You let the pushes pile up with the factor K; what survives a correction is the part 1 − K.",
-        ),
-    },
+    wrong=WRONG["offset"],
+    then="For the golden gain 0.618 the factor (1 − K)/K is 0.618 as well. What does the offset become when K nears 1?",
 )
 def offset(x1, K, dt):
     """Where a filter with gain K for the angle and none for the rate rests, above the truth, when its rate is stuck at x1."""
@@ -158,18 +85,9 @@ def offset(x1, K, dt):
 
 
 def beliefs(rng):
-    """A covariance of angle and rate, a Q, and a time step."""
-    root = rng.integers(1, 5, (2, 2)) / 2
-    return root @ root.T + np.eye(2), np.diag(rng.integers(1, 9, 2) / 10), float(rng.integers(1, 11) / 10)
-
-
-def rows(dt):
-    return np.array([[1, dt], [0, 1]])
-
-
-def as_published(P, Q, dt):
-    """The published prediction."""
-    return np.array([[P[0, 0] + dt * P[1, 0] + Q[0, 0], P[0, 1] + P[1, 1]], [dt * P[1, 0], P[1, 1] + Q[1, 1]]])
+    """A covariance of angle and rate, a Q with corners, and a time step."""
+    root, jolts = rng.integers(1, 5, (2, 2)) / 2, rng.integers(1, 5, (2, 2)) / 4
+    return root @ root.T + np.eye(2), jolts @ jolts.T, float(rng.integers(1, 11) / 10)
 
 
 @exercise(
@@ -179,64 +97,25 @@ def as_published(P, Q, dt):
         "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
-    wrong={
-        "as published": (
-            as_published,
-            "That is the published one again: its corners use F₀₀ and F₁₁ where F₀₁ belongs, and there is no Fᵀ.",
-        ),
-        "F P + Q": (
-            lambda P, Q, dt: rows(dt) @ P + Q,
-            "Half of the published fault is still there: Fᵀ is missing on the right, so the result is not symmetric.",
-        ),
-        "P Fᵀ + Q": (
-            lambda P, Q, dt: P @ rows(dt).T + Q,
-            "Fᵀ on the right is there, but F on the left is missing.",
-        ),
-        "F P F + Q": (
-            lambda P, Q, dt: rows(dt) @ P @ rows(dt) + Q,
-            "The right-hand F must be transposed. A covariance is symmetric; print yours and look at its corners.",
-        ),
-        "Fᵀ P F + Q": (
-            lambda P, Q, dt: rows(dt).T @ P @ rows(dt) + Q,
-            "The transpose is on the wrong side: here an uncertain angle makes the rate uncertain. It is the other way round.",
-        ),
-        "forgot Q": (
-            lambda P, Q, dt: rows(dt) @ P @ rows(dt).T,
-            "F P Fᵀ is right, but the jolts of the step are missing: add Q.",
-        ),
-        "forgot F": (
-            lambda P, Q, dt: P + Q,
-            "You only added Q. An uncertain rate makes the angle more uncertain with every dt: F P Fᵀ.",
-        ),
-        "entry by entry": (
-            lambda P, Q, dt: rows(dt) * P * rows(dt).T + Q,
-            "In NumPy * multiplies entry by entry; the matrix product is @.",
-        ),
-        "dt forgotten": (
-            lambda P, Q, dt: rows(1) @ P @ rows(1).T + Q,
-            "Your F has a 1 in its corner; there belongs dt, the time between two readings.",
-        ),
-        "Q scaled": (
-            lambda P, Q, dt: rows(dt) @ P @ rows(dt).T + dt * Q,
-            "F P Fᵀ is right. Q is given per step already: add it as it is.",
-        ),
-        "minus Q": (
-            lambda P, Q, dt: rows(dt) @ P @ rows(dt).T - Q,
-            "Q is taken away: time makes a belief wider, never sharper.",
-        ),
+    wrong=WRONG["right_prediction"],
+    then="From a symmetric P comes a symmetric one. The published prediction fails this test, which takes one line.",
+    fixed={
+        "P": "the state is an angle and its rate, so it is always two by two",
+        "Q": "the state is an angle and its rate, so it is always two by two",
     },
 )
 def right_prediction(P, Q, dt):
-    """The covariance of angle and rate one step of dt later."""
+    """The covariance of angle and rate one step of dt later. Q is any covariance (2, 2), with corners too."""
     F = np.array([[1, dt], [0, 1]])
     return F @ P @ F.T + Q
 
 
 def gains(rng):
-    """A predicted covariance, and the gain that goes with it and some R."""
+    """A matrix that need not be symmetric (the published prediction makes such), and any gain, not the best one."""
     root = rng.integers(1, 5, (2, 2)) / 2
     P = root @ root.T + np.eye(2)
-    return P, P[:, 0] / (P[0, 0] + rng.integers(1, 9) / 2)
+    P[1, 0] += rng.integers(1, 9) / 4
+    return P, rng.integers(1, 8, 2) / 8
 
 
 @exercise(
@@ -246,46 +125,63 @@ def gains(rng):
         "In one line: `return (np.eye(2) - np.outer(K, [1, 0])) @ P`.",
     ],
     inputs=gains,
-    wrong={
-        "as published": (
-            lambda P, K: P * (1 - np.outer(K, [1, 0])),
-            "That is the published one again: entry by entry. The rate's variance (lower right) never shrinks, whatever is heard.",
-        ),
-        "(I − KH) entry by entry": (
-            lambda P, K: (np.eye(2) - np.outer(K, [1, 0])) * P,
-            "The bracket is right, but * multiplies entry by entry: use @.",
-        ),
-        "rows scaled": (
-            lambda P, K: (1 - K)[:, None] * P,
-            "You scaled each row with its own 1 − K. But the rate learns *through the angle*: row 1 loses K₁ times row 0.",
-        ),
-        "one gain for all": (
-            lambda P, K: (1 - K[0]) * P,
-            "That is the scalar filter's line: right for the first row, but the rate's own variance shrinks by K₁·P₀₁.",
-        ),
-        "P (I − KH)": (
-            lambda P, K: P @ (np.eye(2) - np.outer(K, [1, 0])),
-            "The bracket stands on the wrong side: (I − KH) comes before P.",
-        ),
-        "plus": (
-            lambda P, K: P + np.outer(K, P[0]),
-            "The sign: hearing something makes the belief sharper, so KHP is taken away.",
-        ),
-        "KHP": (
-            lambda P, K: np.outer(K, P[0]),
-            "That is KHP, what the reading takes away; what is left is P − KHP.",
-        ),
-        "squared gains": (
-            lambda P, K: P - np.outer(K, K),
-            "You subtracted K Kᵀ. It should be K H P; K Kᵀ lacks the factor S.",
-        ),
-        "H transposed": (
-            lambda P, K: (np.eye(2) - np.outer([1, 0], K)) @ P,
-            "You formed Hᵀ Kᵀ. K is the column, H the row: np.outer(K, [1, 0]).",
-        ),
-        "unchanged": (lambda P, K: P, "P is handed back unchanged: then the gain never settles."),
+    wrong=WRONG["right_update"],
+    then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 11.",
+    fixed={
+        "P": "the state is an angle and its rate, so it is always two by two",
+        "K": "a state of angle and rate has two gains",
     },
 )
 def right_update(P, K):
-    """What a correction with the gain K (two numbers) leaves of P, when the angle is measured: H = [1, 0]."""
+    """(I − KH)P for H = [1, 0] and any gain K of two numbers; P (2, 2) need not be symmetric."""
     return (np.eye(2) - np.outer(K, [1, 0])) @ P
+
+
+@judged(
+    hints=[
+        "An echo lasts up to 14 readings, and then the speaker is back. How many readings in a row must a gate refuse, before it gives in?",
+        "The first reading may be an echo. What does the middle value of the first fifteen say?",
+        "Take the lesson's `gated_filter` with Q = 0.5 and R = 9, a patience of 14, and start it at the median of the first fifteen "
+        "readings, taken the short way round: `z[0] + np.median(angle_difference(z[:15], z[0]))`.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "error with one speaker (rms, the short way round)",
+            off(False),
+            high=3,
+            above="Do echoes of 11 to 14 readings pull the estimate? Is the first reading an echo, and believed? "
+            "Is every difference taken the short way round?",
+            unit="°",
+        ),
+        Mark(
+            "error with two speakers (the 30 readings after the change do not count)",
+            off(True),
+            high=3,
+            above="After a change the filter must come to the new speaker within 30 readings: does your gate open again?",
+            unit="°",
+        ),
+    ],
+    form=series,
+    passing=PASSING,
+    failing=FAILING,
+    then="A new speaker is found 15 readings late. No filter can know earlier: until it ends, an echo looks like a new speaker.",
+)
+def speaker(z):
+    """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.
+
+    z (325,): bearings in whole degrees, 0 to 359, ten a second. The speaker walks by 0.15° a reading, past north.
+    Echoes last up to 14 readings, are more than 10° off and can be there from the first reading. In about half of
+    the recordings somebody else, elsewhere, takes over, once. Return the bearings (325,) in degrees; whole turns more or
+    less do not matter.
+    """
+    x = z[0] + np.median(angle_difference(z[:15], z[0]))
+    P, R, Q, refused, found = 9.0, 9.0, 0.5, 0, []
+    for reading in z:
+        P, innovation = P + Q, angle_difference(reading, x)
+        far = innovation**2 > 9 * (P + R)
+        refused = refused + 1 if far else 0
+        K = 1 if refused > 14 else 0 if far else P / (P + R)
+        x, P = x + K * innovation, (1 - K) ** 2 * P + K**2 * R
+        found.append(x)
+    return np.array(found)

@@ -1,30 +1,10 @@
 """Lesson 13: only the direction."""
 
-import math
-
 import numpy as np
 
+from kflearn.exercises._bearings_only import WRONG
+from kflearn.exercises._hints import tried
 from kflearn.exercises.engine import exercise
-
-TURN = 2 * math.pi
-
-
-def published(east, north):
-    """The published angle function, in all four quadrants."""
-    slope = math.atan(abs(north / east))
-    if north >= 0:
-        return slope if east > 0 else math.pi / 2 + slope
-    return 1.5 * math.pi + slope if east > 0 else math.pi + slope
-
-
-def half_mended(quadrant):
-    """The published function with one of its two wrong quadrants mended."""
-
-    def bearing(east, north):
-        here = (north > 0 > east and 2) or (east > 0 > north and 4)
-        return math.atan2(north, east) % TURN if here == quadrant else published(east, north)
-
-    return bearing
 
 
 def offsets(rng):
@@ -38,60 +18,18 @@ def offsets(rng):
     hints=[
         "Draw a target north-west of the station. From which axis is `np.arctan(abs(north / east))` measured, and which way round?",
         "It is always the angle to the east–west axis. In quadrant 2 one goes half a turn and comes back by it; in quadrant 4 a whole turn.",
+        tried(
+            (-1, 1),
+            "mended_bearing(-1, 1)",
+            "That target is in the north-west, three eighths of a turn from east: 2.356 rad.",
+            "Try a target one metre west and one metre north: three eighths of a turn from east, 2.356 rad.",
+        ),
         "`np.arctan2` takes north first, then east, and looks at both signs; it gives −π to π.",
         "In one line: `return np.arctan2(north, east) % (2 * np.pi)`.",
     ],
     inputs=offsets,
-    wrong={
-        "as published": (
-            published,
-            "That is the published function again: 105° becomes 165°, and 285° becomes 345°.",
-        ),
-        "quadrant 2 mended": (
-            half_mended(2),
-            "Quadrant 2 is mended. Quadrant 4 has the same fault: there one comes back from a whole turn.",
-        ),
-        "quadrant 4 mended": (
-            half_mended(4),
-            "Quadrant 4 is mended. Quadrant 2 has the same fault: there one comes back from half a turn.",
-        ),
-        "from −π to π": (
-            lambda east, north: math.atan2(north, east),
-            "The direction is right; the published function answers from 0 to 2π, so take the remainder, `% (2 * np.pi)`.",
-        ),
-        "arctangent": (
-            lambda east, north: math.atan(north / east),
-            "The quotient has lost one sign: a target in the north-east and one in the south-west get the same bearing.",
-        ),
-        "arctangent from 0": (
-            lambda east, north: math.atan(north / east) % TURN,
-            "The remainder cannot bring back the sign that the quotient has lost: quadrants 2 and 3 are still half a turn off.",
-        ),
-        "arguments swapped": (
-            lambda east, north: math.atan2(east, north),
-            "`arctan2` takes north first. You have measured from north, clockwise, as a compass does.",
-        ),
-        "arguments swapped, from 0": (
-            lambda east, north: math.atan2(east, north) % TURN,
-            "`arctan2` takes north first. You have measured from north, clockwise, as a compass does.",
-        ),
-        "no signs at all": (
-            lambda east, north: math.atan2(abs(north), abs(east)),
-            "Without the signs every target is seen in the north-east.",
-        ),
-        "degrees": (
-            lambda east, north: math.degrees(math.atan2(north, east)) % 360,
-            "The right direction, but in degrees; the filter works in radians.",
-        ),
-        "mirrored": (
-            lambda east, north: math.atan2(-north, east) % TURN,
-            "North and south have changed places: a target in the north must get a bearing between 0 and π.",
-        ),
-        "modulo half a turn": (
-            lambda east, north: math.atan2(north, east) % math.pi,
-            "Half a turn is no turn: the station would take what is behind it for what is in front of it.",
-        ),
-    },
+    wrong=WRONG["mended_bearing"],
+    then="NumPy has the whole function: arctan2 was made for this, and it also bears an east of 0. Which bearing has a target due south?",
 )
 def mended_bearing(east, north):
     """The bearing of a target (rad, from 0 to 2π, counted from east towards north), `east` and `north` of a station."""
@@ -118,6 +56,7 @@ def mended_bearing(east, north):
             "How fast a target moves does not change where it is seen now. The zeros are right.",
         ),
     },
+    then="(d): the gradient of a bearing is (−north, east)/distance², per metre. Only the name in the code is wrong: `distance` is a square.",
 )
 def review():
     """Which of the four reviewers of the published Jacobian is right?"""
@@ -131,37 +70,8 @@ def review():
         "In one line: `return np.radians(sd) ** 2`.",
     ],
     inputs=lambda rng: (float(rng.integers(1, 400) / 100),),
-    wrong={
-        "as published": (
-            lambda sd: math.radians(sd),
-            "That is the standard deviation in radians. Handed over as a variance, 0.1° becomes √(0.1·π/180) rad = 2.394°.",
-        ),
-        "degrees squared": (
-            lambda sd: sd**2,
-            "That is the variance in degrees squared; the filter's innovations are radians.",
-        ),
-        "squared before": (
-            lambda sd: math.radians(sd**2),
-            "You squared the degrees and converted once. The factor π/180 must be squared too.",
-        ),
-        "degrees": (lambda sd: sd, "That is σ, in degrees: neither a variance nor radians."),
-        "backwards": (
-            lambda sd: math.degrees(sd) ** 2,
-            "You multiplied by 180/π: `np.degrees` turns radians into degrees. The other way.",
-        ),
-        "root": (
-            lambda sd: math.sqrt(math.radians(sd)),
-            "You took the root; from σ to the variance one squares.",
-        ),
-        "180 not squared": (
-            lambda sd: (sd * math.pi) ** 2 / 180,
-            "Square the whole of sd·π/180, the 180 as well.",
-        ),
-        "a whole turn": (
-            lambda sd: (sd * math.pi / 360) ** 2,
-            "π radians are 180°, not 360°.",
-        ),
-    },
+    wrong=WRONG["bearing_variance"],
+    then="For 0.1° it is 3·10⁻⁶ rad². The published number makes a sensor of 2.4° of it, so its filter used good readings far too little.",
 )
 def bearing_variance(sd):
     """R (rad²) of a sensor whose bearings scatter with the standard deviation `sd`, in degrees."""
@@ -197,8 +107,39 @@ def bearing_variance(sd):
         ),
         "half": ((1.5, -1), "Twice as far away, the twin must move faster, not more slowly, to keep the same bearing."),
         "half, relative": ((4.5, -1), "Twice as far away, the relative velocity doubles; you have halved it."),
+        "doubled, ours not": (
+            (12, -4),
+            "You doubled the target's own velocity and added ours. The relative one, target minus ours, is what doubles.",
+        ),
+        "both added": ((9, -2), "You added the two velocities. The relative velocity is the target's minus ours."),
+        "sign": (
+            (0, 4),
+            "The sign of the second number: relative is target minus ours, −2 − 0 to the north. It doubles and keeps its sign.",
+        ),
+        "east and north swapped": ((-4, 0), "You exchanged east and north: east comes first."),
+        "ours counted twice": (
+            (6, -2),
+            "Only the east part has been doubled. Both parts of the relative velocity, (−3, −2), double.",
+        ),
+        "not doubled in the north": (
+            (0, -2),
+            "East is right. The north part of the relative velocity, −2, doubles as well.",
+        ),
+        "sum doubled": (
+            (18, -4),
+            "You added the velocities and doubled the sum. Take the target's minus ours, double it, then add ours.",
+        ),
+        "one doubled": (
+            (12, -2),
+            "You doubled one number alone and left ours out. Relative velocity, twice, then back: all of it for east and for north.",
+        ),
+        "ours unchanged, north doubled": (
+            (3, -4),
+            "North is right. East: relative it is 3 − 6 = −3; double that, and add our 6.",
+        ),
     },
     unit="m/s",
+    then="Every distance has such a twin. Only when we change our own velocity do the twins separate: that is why the ship must turn.",
 )
 def twin_velocity():
     """The own velocity (east, north) of the target twice as far away that shows the same bearings."""

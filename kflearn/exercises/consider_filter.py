@@ -4,6 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._consider_by_hand import FIRST_COVARIANCE
+from kflearn.exercises._consider_filter import WRONG
+from kflearn.exercises._hints import after
 from kflearn.exercises.engine import exercise
 
 
@@ -27,8 +30,28 @@ from kflearn.exercises.engine import exercise
         "bias alone": (0.25, "That is the bias alone; the white noise has not gone away."),
         "noise alone": (0.09, "That is R without any inflation: the bias is ignored."),
         "difference": (0.16, "Variances of independent errors add, whatever the sign of the errors."),
+        "mean of the two": (
+            lambda: (0.3**2 + 0.5**2) / 2,
+            "You took the mean of the two variances. Both errors are in every reading: their variances add.",
+        ),
+        "mean of the σ": (
+            0.4,
+            "0.4 m is the mean of the two standard deviations. Square each first, then add.",
+        ),
+        "product": (
+            0.15,
+            "You multiplied the two standard deviations. The two errors are independent: their variances add.",
+        ),
+        "the lesson's": (
+            1.25,
+            "That is the lesson's R, with a noise of 0.5 m and a bias of 1 m. Here the numbers are others.",
+        ),
     },
     unit="m²",
+    then=(
+        "For one reading R = 0.34 m² is right. For the mean of a hundred it is not: its variance is 0.09/100 + "
+        "0.25, not 0.34/100."
+    ),
 )
 def inflated():
     """R of the inflated filter for white noise with σ = 0.3 m and a bias with σ = 0.5 m."""
@@ -37,42 +60,23 @@ def inflated():
 
 @exercise(
     hints=[
-        "First the gain: which variances does the innovation z − x̂ hold? Three of them.",
-        "With P⁻ = diag(4, 1), H = [1, 1] and K = [K₁, 0], form (I − KH)P⁻(I − KH)ᵀ; KRKᵀ has nothing off the diagonal.",
-        "C = −K₁ · 1, with K₁ = 4 / (4 + 1 + 0.25).",
+        after(
+            [[4 - 16 / 5.25, -4 / 5.25], [-4 / 5.25, 1 - 1 / 5.25]],
+            "You have estimated the bias. Which row of the gain must be zero, and which form of (9) holds then?",
+            "First the gain: which variances does the innovation z − x̂ hold? Three of them.",
+        ),
+        "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
+        "`gain = np.array([[4 / 5.25], [0]])`, `kept = np.eye(2) - gain @ [[1, 1]]`, then `kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T`.",
     ],
-    wrong={
-        "sign": (
-            4 / 5.25,
-            "Mind the sign. A positive bias pulls the estimate up, so position *minus* estimate goes down.",
-        ),
-        "bias not in S": (
-            -4 / 4.25,
-            "Your innovation variance lacks the bias: S = 4 + 1 + 0.25. Then the filter would be deaf to what it considers.",
-        ),
-        "no covariance": (
-            0.0,
-            "It was zero before the reading. The reading brought the bias into the estimate, and so they hang together now.",
-        ),
-        "K times P": (
-            -16 / 5.25,
-            "You multiplied K by the variance of the position; what leaks into the estimate is the bias, variance 1.",
-        ),
-        "gain of the bias": (
-            -1 / 5.25,
-            "−1/5.25 holds the gain that the bias is not given. Multiply K₁ by the bias' variance.",
-        ),
-        "kept share": (
-            1 - 4 / 5.25,
-            "That is 1 − K₁, the part of the old position error that is kept. The question is what K₁ lets in.",
-        ),
-    },
+    wrong=FIRST_COVARIANCE,
     unit="m²",
+    then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance is booked, the bias is not learnt.",
 )
 def first_covariance():
-    """The covariance of position and bias after the first consider correction: P⁻ = diag(4, 1), H = [1, 1], R = 0.25."""
-    K = 4 / (4 + 1 + 0.25)
-    return -K * 1
+    """P of position and bias after the first consider correction: P⁻ = diag(4, 1), H = [1, 1], R = 0.25."""
+    gain = np.array([[4 / (4 + 1 + 0.25)], [0]])
+    kept = np.eye(2) - gain @ [[1, 1]]
+    return kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T
 
 
 def averages(rng):
@@ -87,26 +91,8 @@ def averages(rng):
         "`return np.sqrt(R / N + B)`",
     ],
     inputs=averages,
-    wrong={
-        "inflated": (
-            lambda N, R, B: math.sqrt((R + B) / N),
-            "You divided the bias by N as well. That is the inflated filter: it takes N readings for N different biases.",
-        ),
-        "ignored": (lambda N, R, B: math.sqrt(R / N), "You left the bias out: that is the naive filter's claim."),
-        "variance": (lambda N, R, B: R / N + B, "That is the variance; the standard deviation is its root."),
-        "standard deviations added": (
-            lambda N, R, B: math.sqrt(R / N) + math.sqrt(B),
-            "Standard deviations of independent errors do not add; their variances do.",
-        ),
-        "nothing averaged": (
-            lambda N, R, B: math.sqrt(R + B),
-            "That is a single reading. The noise differs from reading to reading, so averaging does help against it.",
-        ),
-        "noise as N": (
-            lambda N, R, B: math.sqrt(R / math.sqrt(N) + B),
-            "A variance falls with N; it is the standard deviation that falls with √N.",
-        ),
-    },
+    wrong=WRONG["honest_average"],
+    then="With R = 0.25 and B = 1 ten readings give 1.012 m and a hundred 1.001 m: soon the bias is all that is left.",
 )
 def honest_average(N, R, B):
     """The standard deviation of the average of N readings that share one constant bias: noise variance R, bias B."""
@@ -114,112 +100,44 @@ def honest_average(N, R, B):
 
 
 def beliefs(rng):
-    """A state of two numbers and a bias, its P, a reading, H, R, and which state is considered."""
-    root = rng.integers(-3, 4, (3, 3)) / 2 + 2 * np.eye(3)
-    x = rng.integers(-9, 10, 3).astype(float)
-    H = np.array([[1.0, rng.integers(0, 3) / 2, 1.0]])
-    considered = int(rng.choice([0, 2]))
-    return x, root @ root.T, rng.integers(-9, 10, 1).astype(float), H, np.array([[rng.integers(1, 9) / 4]]), considered
-
-
-def gain_of(P, H, R):
-    """The ordinary gain."""
-    return P @ H.T / (H @ P @ H.T + R)
-
-
-def zeroed(K, considered):
-    """The gain with its row of zeros."""
-    K = K.copy()
-    K[considered] = 0
-    return K
-
-
-def joseph(K, P, H, R):
-    """(9J)."""
-    keep = np.eye(3) - K @ H
-    return keep @ P @ keep.T + K @ R @ K.T
-
-
-def correct_with(form, mean_gain=None):
-    """A correction as it should be, but for its covariance: form(K with its zero row, the ordinary K, P, H, R, c)."""
-
-    def wrong(x, P, z, H, R, considered):
-        full = gain_of(P, H, R)
-        K = zeroed(full, considered)
-        return x + (full if mean_gain == "full" else K) @ (z - H @ x), form(K, full, P, H, R, considered)
-
-    return wrong
-
-
-def without_cross(K, full, P, H, R, considered):
-    """(9J), and then the covariances with the considered state are thrown away."""
-    P = joseph(K, P, H, R)
-    variance = P[considered, considered]
-    P[considered], P[:, considered] = 0, 0
-    P[considered, considered] = variance
-    return P
-
-
-def half_symmetric(K, full, P, H, R, considered):
-    """(9) with the zero row, made symmetric."""
-    P = (np.eye(3) - K @ H) @ P
-    return (P + P.T) / 2
+    """A state of three to five numbers, its P, a reading, H, R, and which of the states is considered."""
+    n = int(rng.choice([5, 4, 3]))
+    root = rng.integers(-3, 4, (n, n)) / 2 + 2 * np.eye(n)
+    H = np.append(np.append(1.0, rng.integers(0, 3, n - 2) / 2), 1.0)[None]
+    z, R = rng.integers(-9, 10, 1).astype(float), np.array([[rng.integers(1, 9) / 4]])
+    return rng.integers(-9, 10, n).astype(float), root @ root.T, z, H, R, int(rng.integers(0, n))
 
 
 @exercise(
     hints=[
         "Which gain moves x, and which gain shrinks P? They must be the same one.",
         "So zero the row first. But then K is not the best gain any more, and (9) holds for the best gain only.",
-        "Zero the row; then `keep = np.eye(3) - K @ H` and `P = keep @ P @ keep.T + K @ R @ K.T`.",
+        "Zero the row; then `keep = np.eye(len(x)) - K @ H` and `P = keep @ P @ keep.T + K @ R @ K.T`.",
     ],
     inputs=beliefs,
-    wrong={
-        "as shown": (
-            correct_with(lambda K, full, P, H, R, c: (np.eye(3) - full @ H) @ P),
-            "P still shrinks by the full gain, as if the row had never been zeroed; x and P must use the same K.",
-        ),
-        "row first, plain form": (
-            correct_with(lambda K, full, P, H, R, c: (np.eye(3) - K @ H) @ P),
-            "The row is zeroed in time, but (9) holds for the best gain only. Your P is not even symmetric: use (9J).",
-        ),
-        "row first, symmetrised": (
-            correct_with(half_symmetric),
-            "Symmetrising hides that (9) is the wrong formula for this gain; half of the mistake stays in. Use (9J).",
-        ),
-        "never zeroed": (
-            correct_with(lambda K, full, P, H, R, c: joseph(full, P, H, R), mean_gain="full"),
-            "No row is zeroed: this estimates the state that should only be considered.",
-        ),
-        "KRKᵀ forgotten": (
-            correct_with(lambda K, full, P, H, R, c: (np.eye(3) - K @ H) @ P @ (np.eye(3) - K @ H).T),
-            "The term KRKᵀ is missing: the noise of the reading came in through K as well.",
-        ),
-        "cross-covariance dropped": (
-            correct_with(without_cross),
-            "You dropped the covariance of the considered state with the others. It is all that a consider filter is about.",
-        ),
-    },
+    fixed=dict.fromkeys(("z", "R"), "one sensor, as in the lesson: its gain divides by the number S"),
+    wrong=WRONG["late_row"],
+    then=(
+        "The variance of the considered state is what it was, to the last digit; what the reading changed is its "
+        "covariance with the others."
+    ),
 )
 def late_row(x, P, z, H, R, considered):
-    """One consider correction: the state and its covariance after the reading z, with no gain for one state."""
+    """One consider correction for any number of states: state and covariance after the reading z, with no gain for one."""
     K = P @ H.T / (H @ P @ H.T + R)
     K[considered] = 0
-    keep = np.eye(3) - K @ H
+    keep = np.eye(len(x)) - K @ H
     return x + K @ (z - H @ x), keep @ P @ keep.T + K @ R @ K.T
 
 
 def blocks(rng):
-    """P of two states, their covariance C with a bias of variance B, and how both move."""
-    root = rng.integers(-3, 4, (3, 3)) / 2 + 2 * np.eye(3)
-    whole = root @ root.T
-    F = np.array([[1.0, rng.integers(1, 9) / 8], [0.0, 1.0]])
-    fading = float(rng.integers(1, 8) / 8)
-    return whole[:2, :2], whole[:2, 2:], whole[2:, 2:], F, fading, np.eye(2) / 4, np.eye(1) / 2
-
-
-def moved(cross):
-    """A prediction in blocks that errs in C only."""
-    return lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, cross(C, F, fading), fading**2 * B + q)
+    """P of two to four states, their covariance C with one or two biases of covariance B, and how all of them move."""
+    n, m = int(rng.choice([4, 3, 2])), int(rng.choice([1, 2]))
+    root = rng.integers(-3, 4, (n + m, n + m)) / 2 + 2 * np.eye(n + m)
+    whole, push = root @ root.T, rng.integers(1, 5, n) / 4
+    F = np.eye(n) + np.triu(rng.integers(1, 9, (n, n)) / 8, 1)
+    q = np.diag(rng.integers(1, 9, m) / 4)
+    return whole[:n, :n], whole[:n, n:], whole[n:, n:], F, float(rng.integers(1, 8) / 8), np.outer(push, push), q
 
 
 @exercise(
@@ -229,36 +147,11 @@ def moved(cross):
         "`return F @ P @ F.T + Q, fading * F @ C, fading**2 * B + q`",
     ],
     inputs=blocks,
-    wrong={
-        "as shown": (
-            moved(lambda C, F, fading: np.zeros_like(C)),
-            "That is the program above: C is lost at every step, and the filter becomes the inflated one.",
-        ),
-        "unchanged": (
-            moved(lambda C, F, fading: C),
-            "C is kept, but it does not stand still: the states move with F, and the bias fades.",
-        ),
-        "not faded": (
-            moved(lambda C, F, fading: F @ C),
-            "The bias fades from step to step, and its covariance with the states fades with it: one factor is missing.",
-        ),
-        "only faded": (
-            moved(lambda C, F, fading: fading * C),
-            "The states have moved, too: an error in speed has become one in position. F is missing.",
-        ),
-        "faded twice": (
-            moved(lambda C, F, fading: fading**2 * F @ C),
-            "The bias stands once in C and twice in B: one factor `fading` for C.",
-        ),
-        "F twice": (
-            moved(lambda C, F, fading: fading * F @ F @ C),
-            "The states stand once in C: one F, on its left.",
-        ),
-        "transposed": (
-            moved(lambda C, F, fading: fading * F.T @ C),
-            "F without its transpose: the error of the states is Fe.",
-        ),
-    },
+    wrong=WRONG["economical"],
+    then=(
+        "C is what a consider filter remembers. With fading = 0 the bias is new at every step, C is zero, and the "
+        "inflated filter would be right."
+    ),
 )
 def economical(P, C, B, F, fading, Q, q):
     """The prediction in blocks: P of the states, C of states and bias, B of the bias."""

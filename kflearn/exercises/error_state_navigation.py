@@ -42,8 +42,25 @@ from kflearn.exercises.engine import exercise
             0,
             "While the tram pulls, nothing is off. When it brakes, the scale error changes its sign and the learnt bias does not.",
         ),
+        "learnt plus scale": (
+            lambda: 0.16 * 30**2 / 2,
+            "You added everything that is wrong. The filter subtracts what it has learnt, 0.13 m/s²; what does "
+            "the sensor show too much while the tram brakes?",
+        ),
+        "an acceleration": (
+            0.06,
+            "That is the acceleration that is subtracted too much, in m/s². What does it make in 30 s?",
+        ),
+        "6 % of everything": (
+            lambda: 0.06 * (0.5 + 0.1) * 30**2 / 2,
+            "The 6 % are of the true acceleration, which is 0.5 m/s². The bias is not scaled.",
+        ),
     },
     unit="m",
+    then=(
+        "The filter was perfect as long as the tram pulled: an error with the wrong name shows only when the ride "
+        "changes. A state for the scale, and a ride that pulls and brakes, would tell the two apart."
+    ),
 )
 def all_bias():
     """How far off (m) is a filter after 30 s of braking with −0.5 m/s², if it took 0.1 + 6 % of 0.5 m/s² for a bias?"""
@@ -96,7 +113,36 @@ def tunnel_mouths(rng):
             lambda dv, b, allowed: -dv + math.sqrt(dv**2 + 2 * b * allowed),
             "Nearly: that is b·t, the speed gained meanwhile. Divide by b.",
         ),
+        "four under the root": (
+            lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + 4 * b * allowed)) / b,
+            "Under the root of the formula stands 4 times b/2 times allowed, which is 2 b allowed: the parabola "
+            "begins with b/2, not with b.",
+        ),
+        "two in the denominator": (
+            lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + 2 * b * allowed)) / (2 * b),
+            "The root is right. Below stands twice the factor of t². That factor is b/2, so divide by b.",
+        ),
+        "no time in it": (
+            lambda dv, b, allowed: allowed / (dv + b),
+            "You added a speed and an acceleration. First make metres of each: dv·t and b·t²/2.",
+        ),
+        "both squared": (
+            lambda dv, b, allowed: math.sqrt(allowed / (dv + b / 2)),
+            "You let the speed error make dv·t² metres. It makes dv·t; only the bias grows with t².",
+        ),
+        "both roots": (
+            lambda dv, b, allowed: tuple((-dv + side * math.sqrt(dv**2 + 2 * b * allowed)) / b for side in (1, -1)),
+            "Two roots; one of them is before the tunnel. Return the one that lies in the future.",
+        ),
+        "constant speed error": (
+            lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + b * allowed)) / b,
+            "Nearly: under the root stands 4 times b/2 times allowed, which is 2 b allowed.",
+        ),
     },
+    then=(
+        "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
+        "afterwards the bias."
+    ),
 )
 def dark_time(dv, b, allowed):
     """After how many seconds do a speed error dv and a bias b, pulling the same way, make `allowed` metres?"""
@@ -147,6 +193,10 @@ def dark_time(dv, b, allowed):
             "Enough, but two too many: east and north are only added to, and stand nowhere in F.",
         ),
     },
+    then=(
+        "Only ψ and s stand in F. A state that F does not hold may be wrong in the INS: its error is carried on "
+        "alike in both books."
+    ),
 )
 def goes_back():
     """1 for each of [east, north, ψ, b, s] that must be fed back for the closed loop's answer, 0 for the others."""
@@ -154,9 +204,10 @@ def goes_back():
 
 
 def fixes(rng):
-    """An INS state of four, its error state, a gain and a fix."""
-    x, dx = rng.integers(-20, 20, 4) / 2, rng.integers(1, 9, 4) / 4
-    return x.astype(float), dx, rng.integers(1, 9, (4, 2)) / 10, x[:2] + rng.integers(1, 9, 2) / 2 + dx[:2]
+    """An INS state of three, four or six, its error state, a gain and a fix."""
+    n = int(rng.choice([4, 6, 3]))
+    x, dx = rng.integers(-20, 20, n) / 2, rng.integers(1, 9, n) / 4
+    return x, dx, rng.integers(1, 9, (n, 2)) / 10, x[:2] + rng.integers(1, 9, 2) / 2 + dx[:2]
 
 
 def updated(x, dx, K, fix):
@@ -171,6 +222,7 @@ def updated(x, dx, K, fix):
         "`dx = dx + K @ (fix - x[:2] - dx[:2])`, then `return x + dx, 0 * dx`.",
     ],
     inputs=fixes,
+    fixed={"fix": "a fix is always east and north"},
     wrong={
         "as published": (
             lambda x, dx, K, fix: (x, updated(x, dx, K, fix)),
@@ -212,7 +264,31 @@ def updated(x, dx, K, fix):
             lambda x, dx, K, fix: x + updated(x, dx, K, fix),
             "That is the output, and it is right; but two books go on from here: return the INS's state and the error state.",
         ),
+        "told the old, kept the new": (
+            lambda x, dx, K, fix: (x + dx, updated(x, dx, K, fix)),
+            "You told x the error state from before the fix and kept the corrected one. First correct dx, then "
+            "add it to x, and what x has been told is zero in dx.",
+        ),
+        "dx left out": (
+            lambda x, dx, K, fix: (x + K @ (fix - x[:2]), 0 * dx),
+            "What dx held before the fix is lost, and the fix is compared with x alone. Correct dx first, as "
+            "published; then add it to x.",
+        ),
+        "not reset": (
+            lambda x, dx, K, fix: (x + updated(x, dx, K, fix), dx),
+            "The INS is right now. But dx still holds the old error, which x has been told: set it to zero.",
+        ),
+        "only the news kept": (
+            lambda x, dx, K, fix: (x + dx, K @ (fix - x[:2] - dx[:2])),
+            "You split the correction in two and told x only the older part. Tell it all; then dx is zero.",
+        ),
+        "nothing subtracted": (
+            lambda x, dx, K, fix: (x + dx + K @ (fix - x[:2] - dx[:2]), dx + K @ (fix - x[:2] - dx[:2]))[:1] * 2,
+            "You returned the INS's state twice. The second result is the error state, which is zero after "
+            "feeding back.",
+        ),
     },
+    then="As dx is zero now, F @ dx stays zero until the next fix: between two fixes only P must be predicted.",
 )
 def mended_fix(x, dx, K, fix):
     """The INS's state and the error state after a fix, with feedback."""

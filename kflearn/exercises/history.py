@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from kflearn.exercises._hints import is_about
+from kflearn.exercises._history import WRONG, wrong_lines
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 CONSTANT_GAIN = 0.2207
@@ -13,42 +16,9 @@ CONSTANT_GAIN = 0.2207
         "Whose report was secret until 1949? And in which century do years such as 1722 and 1750 lie?",
         "Anti-aircraft fire: the Second World War, line 5. The years 1722, 1749 and 1750 are in the 18th century, line 1.",
     ],
-    wrong={
-        "only Wiener": (
-            {5},
-            "Line 5 is wrong: the report is from 1942. There is one more. In which century do 1722, 1749 and 1750 lie?",
-        ),
-        "only the first": (
-            {1},
-            "Line 1 is wrong: 1722, 1749 and 1750 lie in the 18th century. There is one more: in which war was Wiener's report secret?",
-        ),
-        "Gauss": (
-            {3},
-            "Line 3 is right: he printed in 1809, and 1795 is what he says of himself there. A claim about the past is not a date of print.",
-        ),
-        "Thiele": (
-            {4},
-            "Line 4 is right, surprising as it is: 1880, and Lauritzen made it known again in 1981.",
-        ),
-        "Legendre": ({2}, "Line 2 is right: Legendre's book on the orbits of comets came out in 1805."),
-        "Kolmogorov": (
-            {6},
-            "Line 6 is right: a note in 1939, the full paper in 1941, before Wiener's report of 1942.",
-        ),
-        "Kalman": ({7}, "Line 7 is right: the paper came out in 1960. Kalman and Bucy followed in 1961."),
-        "both and Gauss": (
-            {1, 3, 5},
-            "Lines 1 and 5 are wrong, but line 3 is right: 1809 is the print, 1795 Gauss's own claim.",
-        ),
-        "both and Thiele": (
-            {1, 4, 5},
-            "Lines 1 and 5 are wrong, but line 4 is right: Thiele's paper is from 1880.",
-        ),
-        "both and Kolmogorov": (
-            {1, 5, 6},
-            "Lines 1 and 5 are wrong, but line 6 is right: Kolmogorov's paper is from 1941.",
-        ),
-    },
+    wrong={", ".join(map(str, sorted(lines))): (lines, sentence) for lines, sentence in wrong_lines()},
+    then="1722, 1749 and 1750 lie in the 18th century, and Wiener's report is from 1942. Note how long it took: eighty "
+    "years lie between Thiele's recursion and Kalman's.",
 )
 def dates():
     """The numbers of the lines with a wrong date."""
@@ -88,7 +58,7 @@ def dates():
         ),
         "powers of K": (
             lambda: 1 - CONSTANT_GAIN**10,
-            "You took K to the power ten. What is left after each reading is the part 1 − K.",
+            "That is nearly the whole weight, but older readings have some of it. After each reading the part 1 − K is left, not K.",
         ),
         "per cent": (
             lambda: 100 * (1 - (1 - CONSTANT_GAIN) ** 10),
@@ -98,22 +68,47 @@ def dates():
             lambda: 10 / 40,
             "That would be the mean of forty readings, where all count the same. Here the newest count most.",
         ),
+        "the tenth power of K": (
+            lambda: CONSTANT_GAIN**10,
+            "You took K to the power ten. After each reading the part 1 − K is left for the older ones.",
+        ),
+        "K forgotten": (
+            lambda: (1 - (1 - CONSTANT_GAIN) ** 10) / CONSTANT_GAIN,
+            "Your weights lack the factor K: a share is at most 1.",
+        ),
+        "ten of a hundred": (
+            0.1,
+            "That is ten of a hundred nights, if all counted the same. Here the newest count most.",
+        ),
+        "ten nights ago": (
+            lambda: 1 - CONSTANT_GAIN,
+            "That is what one reading leaves to all older ones. Ten readings leave (1 − K)¹⁰.",
+        ),
+        "j from 1": (
+            lambda: sum(CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** j for j in range(1, 11)),
+            "You added j = 1 to 10. The newest reading has j = 0.",
+        ),
+        "the newest alone": (0.2207, "That is the newest reading alone. Add the nine before it."),
+        "as a list": (
+            lambda: [CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** j for j in range(10)],
+            "These are the ten weights. Add them up.",
+        ),
+        "the rest in per cent": (
+            lambda: 100 * (1 - CONSTANT_GAIN) ** 10,
+            "That is the share of all older readings, in per cent. The ten newest have what is left of the whole.",
+        ),
     },
+    then="With a tenth of this gain, the newest ten readings would have only 20 % of the weight.",
 )
 def newest_ten():
     """The share of the whole weight that lies on the newest ten readings, with K = 0.2207 and weights K(1 − K)ʲ."""
-    K = CONSTANT_GAIN
-    return 1 - (1 - K) ** 10
+    gain = 0.2207
+    return 1 - (1 - gain) ** 10
 
 
-def gains_and_lengths(rng):
+def gains_and_lengths(rng, n):
     """A constant gain and a number of readings."""
-    return int(rng.integers(1, 10)) / 10, int(rng.integers(3, 8))
-
-
-def with_last(w, last):
-    """The weights w with another one for the oldest reading."""
-    return np.append(np.asarray(w)[:-1], last)
+    return int(rng.integers(1, 10)) / 10, n
 
 
 @exercise(
@@ -123,41 +118,9 @@ def with_last(w, last):
         "The oldest of n readings has the weight (1 − K)ⁿ⁻¹, without a K in front. Check that the sum is 1.",
         "`w = K * (1 - K) ** np.arange(n)`, then `w[-1] = (1 - K) ** (n - 1)`, then `return w`",
     ],
-    inputs=gains_and_lengths,
-    wrong={
-        "infinite past": (
-            lambda K, n: K * (1 - K) ** np.arange(n),
-            "These are Wiener's, for an infinite past: their sum is not 1. The oldest reading is where the estimate starts, so its K is missing.",
-        ),
-        "oldest first": (
-            lambda K, n: with_last(K * (1 - K) ** np.arange(n), (1 - K) ** (n - 1))[::-1],
-            "The weights are right, but the oldest comes first. Newest first was asked for: turn them round with `[::-1]`.",
-        ),
-        "scaled": (
-            lambda K, n: K * (1 - K) ** np.arange(n) / (1 - (1 - K) ** n),
-            "These sum to 1, but by stretching all of them. `exponential` gives the missing part to its first reading alone.",
-        ),
-        "one power too many": (
-            lambda K, n: with_last(K * (1 - K) ** np.arange(n), (1 - K) ** n),
-            "Nearly: after the first reading there are n − 1 steps, so the oldest weight is (1 − K)ⁿ⁻¹.",
-        ),
-        "shifted": (
-            lambda K, n: K * (1 - K) ** np.arange(1, n + 1),
-            "The newest reading has the weight K itself: j begins at 0, not at 1.",
-        ),
-        "K and 1 − K swapped": (
-            lambda K, n: with_last((1 - K) * K ** np.arange(n), K ** (n - 1)),
-            "K and 1 − K are swapped: K is the part of the way towards the *new* reading.",
-        ),
-        "mean": (
-            lambda K, n: np.full(n, 1 / n),
-            "Those are the weights of the mean. With a constant gain the newest reading counts most.",
-        ),
-        "without K": (
-            lambda K, n: (1 - K) ** np.arange(n),
-            "These are relative to the newest. Multiply by K (all but the oldest), and check that the sum is 1.",
-        ),
-    },
+    inputs=in_turn(gains_and_lengths, 2, 4, 3, 7, 1),
+    wrong=WRONG["exponential_weights"],
+    then="They sum to 1 for every n; for n = 1 the single weight is 1, since the first reading is all there is.",
 )
 def exponential_weights(K, n):
     """The n weights, newest first, of exponential smoothing that starts at its first reading."""
@@ -168,7 +131,11 @@ def exponential_weights(K, n):
 
 @exercise(
     hints=[
-        "In the end the distance to the clock stays the same from night to night. Call it d, measured after the reading.",
+        lambda last: (
+            "The distance shrinks when the night's reading comes. Yours is the one before it: which is the one after it?"
+            if is_about(last, 0.3 / 0.2207)
+            else "In the end the distance to the clock is the same every night. Call it d, measured after the reading."
+        ),
         "Each night the clock first runs 0.3 s further ahead, then the estimate goes the part K of the way: d = (1 − K)(d + 0.3).",
         "Solve for d: K d = (1 − K) · 0.3. Put in the numbers.",
         "`0.3 * (1 - 0.2207) / 0.2207`",
@@ -203,32 +170,35 @@ def exponential_weights(K, n):
             lambda: -0.3 * (1 - CONSTANT_GAIN) / CONSTANT_GAIN,
             "The size is right. How far it *trails* was asked for, a positive number.",
         ),
+        "1 − K below": (
+            lambda: 0.3 / (1 - CONSTANT_GAIN),
+            "You divided by 1 − K. Each night the estimate goes the part K of the way, so K belongs below the line.",
+        ),
+        "nights of 1/K": (
+            lambda: 1 / CONSTANT_GAIN,
+            "1/K is a number of nights. Each is worth 0.3 s, and the last of them has been caught up with.",
+        ),
+        "not at all": (
+            0,
+            "A constant gain never catches up with a steady drift: each night the part 1 − K of the new distance is left.",
+        ),
+        "two nights": (
+            lambda: 0.3 * (1 - CONSTANT_GAIN) + 0.3 * (1 - CONSTANT_GAIN) ** 2,
+            "That is the distance after the second night. It goes on growing until each night takes away what it adds.",
+        ),
     },
     unit="s",
-    rtol=5e-3,
+    then="With twice the gain it would trail by 0.38 s only, but it would follow the noise more. Lesson 6 weighs one against the other.",
 )
 def behind():
     """How far a constant gain of 0.2207 trails behind a clock that gains 0.3 s every night, in the end."""
-    K = CONSTANT_GAIN
-    return 0.3 * (1 - K) / K
+    gain = 0.2207
+    return 0.3 * (1 - gain) / gain
 
 
-def readings_and_gain(rng):
+def readings_and_gain(rng, n):
     """Some readings, a constant gain."""
-    return rng.integers(-20, 61, int(rng.integers(3, 8))).astype(float), int(rng.integers(1, 10)) / 10
-
-
-def powers(z, K):
-    """The weights K(1 − K)ʲ in the order of the readings, oldest first."""
-    return K * (1 - K) ** np.arange(len(z))[::-1]
-
-
-def from_the_first(z, K):
-    """Exponential smoothing that starts at the first reading."""
-    x = z[0]
-    for reading in z[1:]:
-        x = x + K * (reading - x)
-    return x
+    return rng.integers(-20, 61, n).astype(float), int(rng.integers(1, 10)) / 10
 
 
 @exercise(
@@ -237,45 +207,9 @@ def from_the_first(z, K):
         "By the sum of the weights. `np.sum(w * z) / np.sum(w)` does it for any weights w.",
         "`w = (1 - K) ** np.arange(len(z))[::-1]`, then `return np.sum(w * z) / np.sum(w)`",
     ],
-    inputs=readings_and_gain,
-    wrong={
-        "as published": (
-            lambda z, K: np.sum(powers(z, K) * z),
-            "That is still the published sum: its weights add up to 1 − (1 − K)ⁿ, as if a clock that is right had gone before.",
-        ),
-        "start at the first reading": (
-            from_the_first,
-            "Its weights do sum to 1, so this is honest as well. But it puts all that is missing on the first reading; the question wants the ratios kept.",
-        ),
-        "divided by n": (
-            lambda z, K: np.sum(powers(z, K) * z) / len(z),
-            "You divided by the number of readings. The weights are in the sum already; divide by *their* sum.",
-        ),
-        "newest and oldest swapped": (
-            lambda z, K: np.sum(powers(z, K)[::-1] * z) / np.sum(powers(z, K)),
-            "The sum is 1 now, but the oldest reading counts most: the order of the weights is turned round.",
-        ),
-        "plain mean": (
-            lambda z, K: np.mean(z),
-            "That is the mean: all readings count the same. Keep the ratio of neighbouring weights at 1 − K.",
-        ),
-        "one power too few": (
-            lambda z, K: np.sum(powers(z, K) * z) / (1 - (1 - K) ** (len(z) - 1)),
-            "Close: n weights sum to 1 − (1 − K)ⁿ, with n = len(z), not n − 1.",
-        ),
-        "missing part added": (
-            lambda z, K: np.sum(powers(z, K) * z) + (1 - K) ** len(z) * z[-1],
-            "You gave the missing part to the newest reading: the sum is 1, but the ratios have changed.",
-        ),
-        "multiplied": (
-            lambda z, K: np.sum(powers(z, K) * z) * (1 - (1 - K) ** len(z)),
-            "You multiplied by the sum of the weights. It is too small; divide by it.",
-        ),
-        "without K": (
-            lambda z, K: np.sum((1 - K) ** np.arange(len(z))[::-1] * z),
-            "Without K the weights sum to more than 1. Divide by their sum.",
-        ),
-    },
+    inputs=in_turn(readings_and_gain, 3, 5, 8, 1),
+    wrong=WRONG["mended"],
+    then="With K = 0.2207 the published weights lack 8 % after ten readings and less than 0.01 % after forty: in a long series nobody notices.",
 )
 def mended(z, K):
     """Exponential smoothing of a short series: weights in the ratios of K(1 − K)ʲ that sum to 1."""

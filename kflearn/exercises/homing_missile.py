@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises import _false_range
 from kflearn.exercises._homing_missile import WRONG
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 
@@ -23,6 +25,7 @@ def errors_on_the_way(rng):
     ],
     inputs=errors_on_the_way,
     wrong=WRONG["left_over"],
+    then="An error at rest (v = 0) of 100 m with 3 s to go is 48 m with 1 s to go, with no reading at all: that is the artefact.",
 )
 def left_over(e, v, t0, t):
     """The error (m) with t seconds to go, when with t0 seconds to go it is e (m) and its velocity v (m/s); blind."""
@@ -43,56 +46,8 @@ def manoeuvres(rng):
         "`part = np.exp(-dt / lasts)`, and `return part, sd**2 * (1 - part**2)`.",
     ],
     inputs=manoeuvres,
-    wrong={
-        "as published": (
-            lambda lasts, sd, dt: (np.exp(-1e4 * dt), 0.1),
-            "That is the published pair: a memory of a ten-thousandth of a second, and 0.1 whatever the manoeuvre. λ is 1/lasts.",
-        ),
-        "rate and time swapped": (
-            lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-2 * lasts * dt))),
-            "You used λ = lasts. A rate is one over a time: the longer a manoeuvre lasts, the *smaller* λ.",
-        ),
-        "what fades": (
-            lambda lasts, sd, dt: (1 - np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
-            "Your first number is what fades in a step; asked is what survives. The variance is right.",
-        ),
-        "part not squared": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts))),
-            "The part is right. But a variance that is multiplied by `part` on the way through F is multiplied by part².",
-        ),
-        "(1 − part)²": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts)) ** 2),
-            "The part is right. Variances add up, not standard deviations: part²·sd² + noise = sd².",
-        ),
-        "sd not squared": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * (1 - np.exp(-2 * dt / lasts))),
-            "The part is right, but the noise is a variance: sd² and not sd.",
-        ),
-        "standard deviation": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd * np.sqrt(1 - np.exp(-2 * dt / lasts))),
-            "That is the noise's standard deviation; Q wants its variance.",
-        ),
-        "sd² every step": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2),
-            "With sd² added at every step the variance would grow beyond sd², for part of the old one survives.",
-        ),
-        "sd² dt": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * dt),
-            "The part is right, the noise does not know how long a manoeuvre lasts: what fades must be filled up, sd²(1 − part²).",
-        ),
-        "straight line": (
-            lambda lasts, sd, dt: (1 - dt / lasts, sd**2 * (1 - (1 - dt / lasts) ** 2)),
-            "Nearly: 1 − dt/lasts is the tangent to e^(−dt/lasts), good for short steps only. Use the exponential.",
-        ),
-        "short steps": (
-            lambda lasts, sd, dt: (np.exp(-dt / lasts), 2 * sd**2 * dt / lasts),
-            "Nearly: 2·sd²·dt/lasts holds for short steps only. The exact variance is sd²(1 − part²).",
-        ),
-        "other way round": (
-            lambda lasts, sd, dt: (sd**2 * (1 - np.exp(-2 * dt / lasts)), np.exp(-dt / lasts)),
-            "Both are right, in the wrong order: first the part, then the variance.",
-        ),
-    },
+    wrong=WRONG["memory"],
+    then="For short steps the noise is 2·sd²·dt/lasts: half the step, half the variance, so that the result does not depend on dt.",
 )
 def memory(lasts, sd, dt):
     """The part of an acceleration that survives a step of dt, and the noise variance that keeps its standard deviation."""
@@ -139,8 +94,31 @@ def memory(lasts, sd, dt):
             lambda: math.hypot(500, 300, 40) * math.sqrt(3),
             "You multiplied by √3 where you should divide: that σ makes the NEES a third.",
         ),
+        "root of the mean error": (
+            lambda: 100 * math.sqrt(3 / 34),
+            "You went the wrong way: the errors are larger than claimed, so σ must grow, by the root of 34/3.",
+        ),
+        "a third": (
+            lambda: 34 / 3,
+            "That is how many times too large the NEES is. σ grows by its root, beginning at 100 m.",
+        ),
+        "two axes": (lambda: math.sqrt((500**2 + 300**2) / 2), "You averaged over two axes. There are three."),
+        "σ of the largest error": (
+            500,
+            "You took the largest error for σ. All three axes count: the mean of their squares.",
+        ),
+        "half of the sum of squares": (
+            lambda: math.hypot(500, 300, 40) / 2,
+            "You divided the length by 2. Three axes share the squared length.",
+        ),
+        "100 times 34/3, rounded": (
+            lambda: 100 * 34 / 3,
+            "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
+        ),
     },
     unit="m",
+    rtol=3e-3,
+    then="Its square is the mean of the three squared errors. And one start proves little: NEES of a single start may be anything from 0.2 to 9.",
 )
 def start_sigma():
     """The σ (m) on each axis that makes the NEES of a position error of (−500, −300, −40) m equal to 3."""
@@ -152,10 +130,6 @@ def needles(rng):
     return float(rng.integers(50, 800)), float(rng.integers(5, 300) / 10), float(rng.integers(1, 50) / 10)
 
 
-def fused(sigma, H, across):
-    return sigma * across / np.sqrt(sigma**2 * H**2 + across**2)
-
-
 @exercise(
     hints=[
         "One state: the place s along the needle, with variance σ². Its reading is s·sin(turn), across the new line.",
@@ -163,56 +137,8 @@ def fused(sigma, H, across):
         "`H = np.sin(np.radians(turn))`, and `return 1 / np.sqrt(1 / sigma**2 + H**2 / across**2)`.",
     ],
     inputs=needles,
-    wrong={
-        "degrees as radians": (
-            lambda s, turn, r: fused(s, np.sin(turn), r),
-            "NumPy's sine wants radians: `np.sin(np.radians(turn))`.",
-        ),
-        "cosine": (
-            lambda s, turn, r: fused(s, np.cos(np.radians(turn)), r),
-            "You took the cosine. A needle that is not turned at all shows nothing of its length across the line: H is the sine.",
-        ),
-        "tangent": (
-            lambda s, turn, r: fused(s, np.tan(np.radians(turn)), r),
-            "You took the tangent of the turn; the length σ along the needle shows σ·sin(turn) across the new line.",
-        ),
-        "no turn": (
-            lambda s, turn, r: fused(s, 1, r),
-            "You fused as if the reading saw the needle at full length: H is the sine of the turn, not 1.",
-        ),
-        "variance": (
-            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), r) ** 2,
-            "That is the variance; asked is the standard deviation.",
-        ),
-        "the reading alone": (
-            lambda s, turn, r: r / np.sin(np.radians(turn)),
-            "Nearly: that is what the reading alone says, across/sin(turn). The needle's own σ knows something too; fuse them.",
-        ),
-        "as seen across": (
-            lambda s, turn, r: s * np.sin(np.radians(turn)),
-            "σ·sin(turn) is how broad the needle seems before the reading. What is left of σ after it?",
-        ),
-        "what is left across": (
-            lambda s, turn, r: np.sin(np.radians(turn)) * fused(s, np.sin(np.radians(turn)), r),
-            "That is the doubt left *across the new line*; asked is the one along the needle, 1/sin(turn) times as long.",
-        ),
-        "standard deviations for variances": (
-            lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) + r),
-            "You added standard deviations. Variances add: σ² sin² + across², and then the root.",
-        ),
-        "H not squared": (
-            lambda s, turn, r: fused(s, np.sqrt(np.sin(np.radians(turn))), r),
-            "H P Hᵀ has the sine twice: sin² times σ².",
-        ),
-        "across taken for a variance": (
-            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), np.sqrt(r)),
-            "`across` is a standard deviation; R is its square.",
-        ),
-        "unchanged": (
-            lambda s, turn, r: s,
-            "That would be right for a turn of 0. Here the filter believes that it sees the needle from the side.",
-        ),
-    },
+    wrong=_false_range.WRONG["false_range"],
+    then="With 400 m, 2.27° and 4.01 m it is 98 m: three quarters of σ are gone, after one reading that never measured the range.",
 )
 def false_range(sigma, turn, across):
     """What is left of a needle's sigma (m) after a reading across a line turned by `turn` degrees, good to `across` m."""
@@ -220,9 +146,9 @@ def false_range(sigma, turn, across):
     return sigma * across / np.sqrt((sigma * H) ** 2 + across**2)
 
 
-def some_errors(rng):
+def some_errors(rng, runs, steps):
     """Errors of a few runs, steps and nine states."""
-    return (rng.integers(-9, 10, (4, 5, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
+    return (rng.integers(-9, 10, (runs, steps, 9)).astype(float) * [5, 5, 5, 2, 2, 2, 1, 1, 1],)
 
 
 @exercise(
@@ -231,8 +157,9 @@ def some_errors(rng):
         "The squared length of the position error is the sum of its three squares. Velocity has indices 3 to 5, acceleration 6 to 8.",
         "`return [np.sqrt(np.mean(np.sum(error[..., k : k + 3] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)]`.",
     ],
-    inputs=some_errors,
+    inputs=in_turn(some_errors, (2, 3), (4, 5), (3, 2), (1, 4)),
     wrong=WRONG["figures"],
+    then="Of the three axes together; for one axis, if they are alike, divide by √3. The root comes last: means of distances are smaller.",
 )
 def figures(error):
     """The root mean square errors of position, velocity and acceleration, (3, T), of errors (runs, T, 9)."""

@@ -4,19 +4,24 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._hints import after
 from kflearn.exercises.engine import exercise
 
 
 @exercise(
     hints=[
-        "The blend's mean is halfway. How far is each model from it?",
+        after(
+            30,
+            "30 m is what each of the two claims. Where is the blend's mean, and how far is each model from it?",
+            "The blend's mean is halfway. How far is each model from it?",
+        ),
         "Variance of the blend: the mean of the two variances plus the mean of the two squared distances to the blend's mean.",
         "`np.sqrt(30**2 + 30**2)`, because each of the two means is 30 m from the middle.",
     ],
     wrong={
         "spread forgotten": (
             30.0,
-            "That is the mean of the two widths. The two disagree by 60 m, and a blend must cover both: add the spread.",
+            "30 m is the σ of each bell, and also how far each mean is from the middle. The blend needs both: variance plus squared distance, then the root.",
         ),
         "fused": (
             30 / math.sqrt(2),
@@ -27,9 +32,36 @@ from kflearn.exercises.engine import exercise
             math.hypot(30, 60),
             "You took the distance between the two means, 60 m. It is the distance to the blend's mean that counts, 30 m.",
         ),
-        "deviations added": (60.0, "Deviations do not add; variances do: 30² + 30²."),
+        "deviations added": (
+            60.0,
+            "60 m is the sum of the two σ, and the distance of the two means. Add squares instead: the variance of a bell, and its squared distance from the blend's mean.",
+        ),
+        "variance of one": (
+            900.0,
+            "900 m² is the variance of one bell. What is missing is the squared distance to the blend's mean, and then the root.",
+        ),
+        "half of it": (
+            15.0,
+            "15 m is half of a σ. Take the mean of the two variances, and add how far the two means are apart.",
+        ),
+        "spread for one only": (
+            math.sqrt(1350),
+            "You counted the spread for one of the two bells only, or halved it: each of the two means is 30 m from the middle.",
+        ),
+        "everything added": (
+            90.0,
+            "You added σ and the distance of the means. Variances and squared distances add; the root comes last.",
+        ),
+        "both variances": (
+            math.hypot(30, math.hypot(30, 30)),
+            "You added both variances in full. The blend takes their weighted mean, half of each.",
+        ),
     },
     unit="m",
+    then=(
+        "A blend of two that disagree is wider than either of them: 42.4 m. Fusing them, as two opinions about one"
+        " thing, would have given 21.2 m."
+    ),
 )
 def blended_sigma():
     """The σ of the blend of two equally probable bells, 0 m and 60 m, each with σ = 30 m."""
@@ -37,8 +69,9 @@ def blended_sigma():
 
 
 def stays_and_clock(rng):
-    """How long each of three or four modes lasts, and the time between readings, in seconds."""
-    return rng.integers(20, 600, rng.integers(3, 5)).astype(float), float(rng.integers(1, 6))
+    """How long each of three to five modes lasts, and the time between readings, in seconds."""
+    modes = int(rng.choice([5, 4, 3]))
+    return rng.integers(20, 600, modes).astype(float), float(rng.integers(1, 6))
 
 
 def leaving(stays, T):
@@ -97,7 +130,31 @@ def leaving(stays, T):
             "exp(−T / stays) is right for changes at any moment; here a change can come only with a step, and a mean of "
             "`stays / T` steps asks for 1 − T / stays.",
         ),
+        "shared by two": (
+            lambda stays, T: np.where(
+                np.eye(len(stays), dtype=bool), 1 - (T / stays)[:, None], (T / stays)[:, None] / 2
+            ),
+            "You shared the leaving by 2, which holds for three modes. There may be more: share by len(stays) − 1.",
+        ),
+        "diagonal only": (
+            lambda stays, T: np.diag(1 - T / stays),
+            "The diagonal is right. Who leaves a mode passes to another one: the rest of each row shares T / stays.",
+        ),
+        "ratio upside down": (
+            lambda stays, T: leaving(T / stays, 1.0),
+            "You divided stays by T. The chance to leave in one step is T / stays: the longer the stay, the "
+            "smaller it is.",
+        ),
+        "all alike": (
+            lambda stays, T: np.full((len(stays), len(stays)), 1 / len(stays)),
+            "That says that every step begins anew, with all modes equally likely. A mode lasts: most of each row"
+            " stands on the diagonal.",
+        ),
     },
+    then=(
+        "A ship that stays 100 s, read every 2 s, has 0.98 on the diagonal. Halve the time between readings, and "
+        "the diagonal moves closer to 1."
+    ),
 )
 def transition(stays, T):
     """Π for modes that last `stays` seconds on average, with a step every T seconds and no favourite among the others."""
@@ -107,8 +164,9 @@ def transition(stays, T):
 
 
 def readings(rng):
-    """Positions (runs, 3, 2) in round numbers, and the time between them."""
-    return rng.integers(-9, 10, (3, 3, 2)) * 100.0, float(rng.integers(2, 6))
+    """Positions (runs, T, 2) in round numbers, three or more samples of two or more runs, and the time between them."""
+    runs, samples = rng.choice([5, 3, 2]), rng.choice([3, 5])
+    return rng.integers(-9, 10, (runs, samples, 2)) * 100.0, float(rng.integers(2, 6))
 
 
 def assembled(first, place, speed):
@@ -170,7 +228,36 @@ def swapped(z):
             lambda z, T: (z[:, 0], np.concatenate([z[:, 1], (z[:, 1] - z[:, 0]) / T], axis=-1)),
             "The numbers are right, the order is not: the state is [east, its speed, north, its speed].",
         ),
+        "first is the second": (
+            lambda z, T: assembled(z[:, 1], z[:, 1], (z[:, 1] - z[:, 0]) / T),
+            "The state is right. The first positions are those of the first sample, z[:, 0], both components.",
+        ),
+        "two steps": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 2] - z[:, 0]) / (2 * T)),
+            "Only the first two readings are used for the start; you took the third for the speed.",
+        ),
+        "later speed": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 2] - z[:, 1]) / T),
+            "That is the speed between the second and the third sample. The start uses the first two.",
+        ),
+        "state at the third": (
+            lambda z, T: assembled(z[:, 0], z[:, 2], (z[:, 1] - z[:, 0]) / T),
+            "The state belongs to the second sample: its position is z[:, 1].",
+        ),
+        "velocity of the last pair": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, -1] - z[:, -2]) / T),
+            "The last two readings are not there yet at the start. The speed comes from the first two.",
+        ),
+        "times T": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 1] - z[:, 0]) * T),
+            "You multiplied by T. A speed is a difference of positions divided by the time between them.",
+        ),
+        "the state alone": (
+            lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 1] - z[:, 0]) / T)[1],
+            "The states are right. Return two things: the first positions, and then the states.",
+        ),
     },
+    then="Run 1 had the right speed all the time: only a test with several runs can show the second fault.",
 )
 def mended_start(z, T):
     """First positions (runs, 2) and states [x, vx, y, vy] (runs, 4) at the second of the readings z (runs, T, 2)."""
@@ -183,6 +270,7 @@ def mended_start(z, T):
     hints=[
         "The matrix, call it G, is used in one place only: Q = G q Gᵀ. What is q for the straight model?",
         "The straight model “has never heard of turns”: its q is 0. What is G · 0 · Gᵀ?",
+        "G · 0 · Gᵀ is zero with the wrong G and with the right one: “nothing”.",
     ],
     wrong={
         "smaller": (
@@ -194,6 +282,10 @@ def mended_start(z, T):
             "Mending does no harm here either: G enters only by Q = G q Gᵀ, and for this model q = 0.",
         ),
     },
+    then=(
+        "The straight model has q = 0, so Q = G · 0 · Gᵀ is zero with either G. The fault shows as soon as "
+        "somebody gives this model a q."
+    ),
 )
 def wrong_push():
     """What does mending G = [T/2, 1] to [T²/2, T] do to the error, where Q = G q Gᵀ with q = 0?"""

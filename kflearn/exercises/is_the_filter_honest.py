@@ -3,61 +3,34 @@
 import numpy as np
 
 from kflearn import chi_square_interval
-from kflearn.exercises.engine import exercise
+from kflearn.exercises._hints import of_choice
+from kflearn.exercises._is_the_filter_honest import WRONG
+from kflearn.exercises._judge import inside, rms, track
+from kflearn.exercises._judge import nees as nees_of_all
+from kflearn.exercises._turns import in_turn
+from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, recording
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 @exercise(
     hints=[
-        "The sum of 50 NEES values of a filter with two states follows a chi-square law. With how many degrees of freedom?",
-        "With 50 · 2 = 100. Cut off 2.5 % at either end of that law, and remember that the average was asked for.",
+        "The sum of 50 NEES values of a filter with two states follows a chi-square distribution. With how many degrees of freedom?",
+        "With 50 · 2 = 100. Cut off 2.5 % at either end of that distribution, and remember that the average was asked for.",
         "chi2.ppf([0.025, 0.975], 100) / 50, or chi_square_interval(dof=2, runs=50).",
     ],
-    wrong={
-        "one-sided": (
-            lambda: (0.0, chi_square_interval(2, 50, 0.9)[1]),
-            "Your interval has one end only: it would pass every filter that is too modest. Cut off 2.5 % below as well.",
-        ),
-        "5 % at either end": (
-            lambda: chi_square_interval(2, 50, 0.9),
-            "You cut off 5 % at either end, which leaves 90 %. For 95 % cut off 2.5 % below and 2.5 % above.",
-        ),
-        "the sum": (
-            lambda: tuple(np.multiply(chi_square_interval(2, 50), 50)),
-            "Those are the limits of the sum of 50 runs; the average was asked for, so divide by 50.",
-        ),
-        "n forgotten": (
-            lambda: chi_square_interval(1, 50),
-            "These limits lie about 1, so they belong to a single state. Two states bring 2 · 50 degrees of freedom.",
-        ),
-        "one run": (
-            lambda: chi_square_interval(2, 1),
-            "Those are the limits for a single run. Averages of 50 scatter far less: 50 · 2 degrees of freedom, divided by 50.",
-        ),
-        "divided by n as well": (
-            lambda: tuple(np.divide(chi_square_interval(2, 50), 2)),
-            "You divided by n too: these are limits for NEES/n, about 1. NEES itself averages n = 2.",
-        ),
-        "four states": (
-            lambda: chi_square_interval(4, 50),
-            "That is the ship's interval, n = 4. This filter has two states.",
-        ),
-        "a bell": (
-            lambda: (2 - 1.96 * np.sqrt(4 / 50), 2 + 1.96 * np.sqrt(4 / 50)),
-            "You took a bell with the right mean and variance. Near, but the chi-square law is lopsided: take its own quantiles.",
-        ),
-    },
+    wrong=WRONG["interval"],
     rtol=5e-3,
+    then="Runs pay off slowly: with 1,000 of them the limits are 1.88 and 2.13, so smaller faults are found.",
 )
 def interval():
     """The two-sided 95 % interval of the NEES of a filter with two states, averaged over 50 runs."""
     return chi_square_interval(dof=2, runs=50)
 
 
-def errors_and_claims(rng):
-    """An error of two or three components, and a covariance with correlations."""
-    n = int(rng.integers(2, 4))
+def errors_and_claims(rng, n):
+    """An error of n components, and a covariance with correlations."""
     factor = rng.integers(-2, 3, (n, n)) + 3 * np.eye(n)
-    return rng.integers(-6, 7, n) / 2 + 0.25, factor @ factor.T
+    return rng.integers(-6, 7, n) / 2 + 0.25, factor @ factor.T + np.eye(n)
 
 
 @exercise(
@@ -66,41 +39,9 @@ def errors_and_claims(rng):
         "`np.linalg.solve(P, e)` is P⁻¹ e, without forming an inverse. Then multiply by e once more and add up.",
         "return e @ np.linalg.solve(P, e)",
     ],
-    inputs=errors_and_claims,
-    wrong={
-        "without P": (
-            lambda e, P: e @ e,
-            "That is the squared error alone. It is not normalised: the claim P has not been asked for its opinion.",
-        ),
-        "σ for P": (
-            lambda e, P: np.sum(e**2 / np.sqrt(np.diag(P))),
-            "You divided squares by standard deviations. A squared error belongs over a variance; and P has covariances too.",
-        ),
-        "only the diagonal": (
-            lambda e, P: np.sum(e**2 / np.diag(P)),
-            "You used the variances only. The errors belong together: P⁻¹ takes the covariances beside the diagonal into account.",
-        ),
-        "P, not its inverse": (
-            lambda e, P: e @ P @ e,
-            "You multiplied by P. A large claim must make the score small: it is P⁻¹ that stands between the two e.",
-        ),
-        "entry by entry": (
-            lambda e, P: e @ (1 / P) @ e,
-            "1 / P divides entry by entry; the inverse of a matrix is something else. np.linalg.solve(P, e) is P⁻¹ e.",
-        ),
-        "the root": (
-            lambda e, P: np.sqrt(e @ np.linalg.solve(P, e)),
-            "You took the root: that is a distance in sigmas. NEES is its square, and only the square follows chi-square.",
-        ),
-        "divided by n": (
-            lambda e, P: e @ np.linalg.solve(P, e) / len(e),
-            "You divided by n: that is NEES/n, which averages 1. It is handy in a figure, but NEES averages n.",
-        ),
-        "not added up": (
-            lambda e, P: e * np.linalg.solve(P, e),
-            "The pieces are right; add them up: e @ … multiplies and adds in one go.",
-        ),
-    },
+    inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
+    wrong=WRONG["nees"],
+    then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
 def nees(e, P):
     """The normalised estimation error squared of an error e (n,) with the claimed covariance P (n, n)."""
@@ -109,7 +50,15 @@ def nees(e, P):
 
 @exercise(
     hints=[
-        "Take the sign of the neighbours first. Positive: surprised on the same side again, the filter lags. Negative: it overreacts.",
+        "Take the sign of the neighbours first. Positive: one innovation is followed by another on the same side, because the filter lags. Negative: it moves too far each time.",
+        of_choice(
+            {
+                "r too large": "NIS below 2 you have used. Now use the sign: does R too large make the gain too large or too small?",
+                "r too small": "The sign you have used. Now use the NIS: does R too small make the claims too large or too small?",
+                "q too small": "Look at both clues again: is this filter too sure or too modest, is its gain too small or too large?",
+            },
+            "Make two columns, as in the lesson's table: what does each of the four do to NIS, what to the gain?",
+        ),
         "Negative, so the gain is too large. Two of the four make it so. Which of them claims too much uncertainty, NIS < m?",
         "A gain is too large when Q is too large or R too small. The first widens every claim, the second narrows it.",
     ],
@@ -127,16 +76,18 @@ def nees(e, P):
             "R too small agrees with the minus sign. But then the filter would be far too sure, with NIS well above 2.",
         ),
     },
+    then="NIS below 2 says that the filter claims too large an error; the minus sign, that its gain is too large. "
+    "Of the four, only a Q that is too large does both.",
 )
 def mystery():
     """NIS 1.85 where 2 is honest, neighbouring innovations negatively correlated: Q or R, too small or too large?"""
     return "Q too large"
 
 
-def errors_and_variances(rng):
-    """Sixty errors, each with a variance of its own."""
-    P = rng.uniform(0.05, 6, 60)
-    return rng.normal(0, 1.3 * np.sqrt(P)), P
+def errors_and_variances(rng, count):
+    """Some errors, each with a variance of its own; none lies just on the edge of its band."""
+    P = rng.integers(1, 60, count) / 10
+    return rng.normal(0, 1.3 * np.sqrt(P)).round(1) + 0.05, P
 
 
 @exercise(
@@ -145,50 +96,17 @@ def errors_and_variances(rng):
         "P is a variance, in °C² or m². The half-width of a ±1σ band is the standard deviation.",
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
-    inputs=errors_and_variances,
-    wrong={
-        "as published": (
-            lambda e, P: np.mean(abs(e) <= P),
-            "That is still the published band: it compares metres with square metres. Where P > 1 it is too wide, else too narrow.",
-        ),
-        "±2σ": (
-            lambda e, P: np.mean(abs(e) <= 2 * np.sqrt(P)),
-            "The root is right. But that is the band ±2σ, which holds 95.4 %; ±1σ was asked for.",
-        ),
-        "one side": (
-            lambda e, P: np.mean(e <= np.sqrt(P)),
-            "You forgot the lower edge: errors far below zero count as inside. Take abs(e).",
-        ),
-        "e² against σ": (
-            lambda e, P: np.mean(e**2 <= np.sqrt(P)),
-            "Now the error is squared and the claim is not. Compare |e| with √P, or e² with P.",
-        ),
-        "P²": (
-            lambda e, P: np.mean(abs(e) <= P**2),
-            "You squared the variance; the standard deviation is its root.",
-        ),
-        "a count": (
-            lambda e, P: np.sum(abs(e) <= np.sqrt(P)),
-            "The band is right, and you counted those inside. A share is that count divided by how many there are: np.mean.",
-        ),
-        "outside": (
-            lambda e, P: np.mean(abs(e) > np.sqrt(P)),
-            "The band is right, but that is the share outside.",
-        ),
-        "per cent": (
-            lambda e, P: 100 * np.mean(abs(e) <= np.sqrt(P)),
-            "The band is right. Leave the share between 0 and 1: the format `.1%` makes per cent of it.",
-        ),
-    },
+    inputs=in_turn(errors_and_variances, 5, 12, 60, 7),
+    wrong=WRONG["share_inside"],
+    then="Of one number 68.3 % should be inside. Of a state with two components only 39 % belong inside its 1σ ellipse: why fewer?",
 )
 def share_inside(e, P):
     """The share of the errors e inside the band ±1σ, when the variances P are claimed for them."""
     return np.mean(abs(e) <= np.sqrt(P))
 
 
-def start_beliefs(rng):
+def start_beliefs(rng, n):
     """A mean, the diagonal of P₀, and standard normal numbers."""
-    n = int(rng.integers(2, 5))
     return rng.integers(-100, 200, n).astype(float), rng.integers(4, 40, n) / 2, rng.normal(size=n).round(2)
 
 
@@ -198,34 +116,76 @@ def start_beliefs(rng):
         "Stretch first, then shift. By what is a number stretched when its variance is to be 9 instead of 1?",
         "`return mean + np.sqrt(variances) * normal`",
     ],
-    inputs=start_beliefs,
-    wrong={
-        "as published": (
-            lambda mean, variances, normal: mean,
-            "That is the published start: every run begins where the filter believes, and P₀ is an empty claim.",
-        ),
-        "variance for σ": (
-            lambda mean, variances, normal: mean + variances * normal,
-            "You stretched by the variance, so the start scatters with variance². Stretch by its root.",
-        ),
-        "P₀ = I": (
-            lambda mean, variances, normal: mean + normal,
-            "That is right for P₀ = I only: the variances are not used yet.",
-        ),
-        "no chance": (
-            lambda mean, variances, normal: mean + np.sqrt(variances),
-            "Every run would start one σ away, on the same side. Multiply σ by the random numbers.",
-        ),
-        "no mean": (
-            lambda mean, variances, normal: np.sqrt(variances) * normal,
-            "The scatter is right, but about zero; it belongs about the mean.",
-        ),
-        "divided": (
-            lambda mean, variances, normal: mean + normal / np.sqrt(variances),
-            "You divided by σ: that makes a number standard normal. Here it goes the other way.",
-        ),
-    },
+    inputs=in_turn(start_beliefs, 2, 4, 3, 1),
+    wrong=WRONG["draw_start"],
+    then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )
 def draw_start(mean, variances, normal):
     """A start drawn from N(mean, diag(variances)), made of standard normal random numbers."""
     return mean + np.sqrt(variances) * normal
+
+
+@judged(
+    hints=[
+        "The lesson's filter with any R gives innovations. What would their NIS be on average, if R were right?",
+        "With R too small the average NIS is above 1, with R too large below 1. Try some R, or multiply R by the average NIS "
+        "and run again. Or look at the readings alone: the ship hardly turns in two seconds, so what do second differences hold?",
+        "`np.diff(z, 2)` is z₂ − 2z₁ + z₀: its variance is R + 4R + R = 6R, for the ship itself adds hardly anything.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "position error (rms)",
+            rms(0),
+            high=7.5,
+            above="That is more than a filter with the right R needs. Does each recording get an R of its own?",
+            unit="m",
+        ),
+        Mark(
+            "true position inside ±2σ",
+            inside(0),
+            90,
+            98,
+            below="The claim is too small: is R the variance, and does every recording get its own?",
+            above="The claim is too large: fewer would be inside with an honest σ.",
+            unit="%",
+        ),
+        Mark(
+            "NEES / n",
+            nees_of_all(),
+            0.75,
+            1.35,
+            below="Too modest: the squared errors are smaller than claimed. Is your R too large?",
+            above="Too sure: the squared errors are larger than claimed. Is your R too small in some recordings?",
+        ),
+        Mark(
+            "recordings whose own NEES / n is between 0.4 and 2.5",
+            honest_share(0.4, 2.5),
+            low=80,
+            below="A mean over all recordings can hide this: some are too sure, others too modest. Find R for each.",
+            unit="%",
+        ),
+    ],
+    form=track(2),
+    passing=PASSING,
+    failing=FAILING,
+    then="R was learnt without the truth, from the readings alone. Could the same have been done for Q?",
+)
+def unknown_sensor(z):
+    """Write a filter `(z) → mean, covariance` that finds out how accurate its sensor is.
+
+    z (100,): readings of a ship's position east in metres, one a second. Their standard deviation is the same through a
+    recording, and different in each: anything from 2 to 40 m. The state is position and speed, F = [[1, 1], [0, 1]],
+    Q = diag(0.005, 0.01), the start one second before the first reading N([0, 0], diag(50², 5²)). Return the means
+    (100, 2) and the covariances (100, 2, 2) after each reading.
+    """
+    R = np.var(np.diff(z, 2)) / 6
+    F, Q, H = np.array([[1, 1], [0, 1]]), np.diag([0.005, 0.01]), np.array([[1.0, 0.0]])
+    x, P, means, covs = np.zeros(2), np.diag([50.0**2, 5.0**2]), [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        K = P @ H.T / (H @ P @ H.T + R)
+        x, P = x + K @ (reading - H @ x), (np.eye(2) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)

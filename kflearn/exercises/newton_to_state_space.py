@@ -22,6 +22,7 @@ def steps_and_masses(rng):
     ],
     inputs=steps_and_masses,
     wrong=WRONG["motion"],
+    then="Two steps of dt/2 with the same force end exactly where one step of dt ends. A wrong B, such as [dt²/m, dt/m], fails this test.",
 )
 def motion(dt, mass):
     """F and B of a cart of the given mass (kg) for a step of dt seconds, when the input is the force (N)."""
@@ -109,7 +110,36 @@ def motion(dt, mass):
             [[1, 0], [1000, 0], [0, 3.6]],
             "A metre has 1,000 millimetres; the second tape reads centimetres.",
         ),
+        "two rows": (
+            [[1, 0], [0, 3.6]],
+            "There are three sensors, so H has three rows: the tape in centimetres has one of its own.",
+        ),
+        "three columns": (
+            [[1, 0, 0], [0, 100, 0], [0, 0, 3.6]],
+            "There are three sensors and two states: three rows, two columns. Both tapes ask for the same state, the position.",
+        ),
+        "36": (
+            [[1, 0], [100, 0], [0, 36]],
+            "The tapes are right. One metre per second is 3,600 m in an hour: how many kilometres?",
+        ),
+        "cm of the velocity": (
+            [[1, 0], [0, 100], [0, 3.6]],
+            "Your second tape reads the velocity. It reads the position, in centimetres: 100 stands in the first column.",
+        ),
+        "rows turned": (
+            [[0, 3.6], [100, 0], [1, 0]],
+            "The rows are right, but in another order: first the tape in metres, then the one in centimetres, then the speedometer.",
+        ),
+        "tapes exchanged": (
+            [[100, 0], [1, 0], [0, 3.6]],
+            "The two tapes have changed places: first the one in metres.",
+        ),
+        "speedometer with position": (
+            [[1, 0], [100, 0], [1, 3.6]],
+            "The tapes are right. The speedometer does not see the position: its first entry is 0.",
+        ),
     },
+    then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )
 def three_sensors():
     """H for a tape in metres, a tape in centimetres and a speedometer in km/h; the state is [s (m), v (m/s)]."""
@@ -126,7 +156,7 @@ IMPOSSIBLE = {"A": "Which two units does A add?", "C": "In which unit is a varia
 def wrong_choices():
     """Every set of letters but the right one, with what to say about it: first what is too much, then what is missing."""
     letters = "ABCDE"
-    for picked in (set(c) for size in range(1, 6) for c in itertools.combinations(letters, size)):
+    for picked in (set(c) for size in range(1, 5) for c in itertools.combinations(letters, size)):
         too_many = [POSSIBLE[letter] for letter in letters if letter in picked and letter in POSSIBLE]
         missing = [IMPOSSIBLE[letter] for letter in letters if letter in IMPOSSIBLE and letter not in picked]
         if too_many:
@@ -138,10 +168,11 @@ def wrong_choices():
 @exercise(
     hints=[
         "Write the unit beside every letter. A sum needs equal units, a variance the square of a unit, a gain the unit of what it corrects over the unit of what is read.",
-        "a·dt/2 is (m/s²)·s. Is that a distance? s + v is m + m/s. R is the mean of a squared error of the tape.",
         "Three of the five are impossible: one sum, one variance, one distance.",
+        "A adds m to m/s. C should be in m², as R is the mean of a squared error. In E, (m/s²)·s is no distance.",
     ],
     wrong={", ".join(sorted(picked)): (picked, sentence) for picked, sentence in wrong_choices()},
+    then="A adds metres to metres per second, C gives a variance in m where m² belongs, and the product in E is a velocity. No number mends a wrong unit.",
 )
 def impossible():
     """Which cannot be right: A reads s + v, B Q₁₂ = 0.5 m²/s, C R = 0.5 m, D K₂ = 0.4 per second, E the distance a·dt/2?"""
@@ -198,6 +229,44 @@ def one_after_the_other(F, x, order=(0, 1)):
             lambda F, x: np.array([F[0] @ x, F[0] @ x]),
             "The first entry is right. The second takes the second row: F[1, 0] and F[1, 1].",
         ),
+        "entries exchanged": (
+            lambda F, x: (F @ x)[::-1],
+            "Both numbers are right, but they have changed places: the first row of F gives the first entry.",
+        ),
+        "only the new x[0] in the first": (
+            lambda F, x: np.array([x[0], F[1] @ x]),
+            "The second entry is right. The first has not been moved at all.",
+        ),
+        "columns": (
+            lambda F, x: np.array([(F[0, 0] + F[0, 1]) * x[0], (F[1, 0] + F[1, 1]) * x[1]]),
+            "Each entry of F meets its own number: F[0, 1] belongs to x[1], and F[1, 0] to x[0].",
+        ),
+        "second without F[1, 0]": (
+            lambda F, x: np.array([F[0] @ x, F[1, 1] * x[1]]),
+            "The first entry is right. The second lacks F[1, 0] times x[0].",
+        ),
+        "first without F[0, 1]": (
+            lambda F, x: np.array([F[0, 0] * x[0], F[1] @ x]),
+            "The second entry is right. The first lacks F[0, 1] times x[1].",
+        ),
+        "F[0, 1] for F[1, 0]": (
+            lambda F, x: np.array([F[0] @ x, F[0, 1] * x[0] + F[1, 1] * x[1]]),
+            "The first entry is right. The second uses the second row of F: F[1, 0], not F[0, 1].",
+        ),
+        "a column": (
+            lambda F, x: (F @ x)[:, None],
+            "The numbers are right, but you return a column, of shape (2, 1). The state is flat: two numbers.",
+        ),
+        "only the second": (
+            lambda F, x: F[1] @ x,
+            "You return the second entry only. Return both, as an array of two numbers.",
+        ),
+        "unchanged": (lambda F, x: x, "You return the old state. Where are the new entries?"),
+    },
+    then="The cart was lucky: its F[1, 0] is 0, so its second line does not ask for x[0] at all.",
+    fixed={
+        "F": "the published program steps a state of two numbers, entry by entry, and so does the answer",
+        "x": "the published program steps a state of two numbers, entry by entry, and so does the answer",
     },
 )
 def overwritten(F, x):
@@ -216,10 +285,11 @@ def steps_and_sigmas(rng):
     hints=[
         "Write units beside G = [T/2; 1]: G times m/s² should be metres above and metres per second below.",
         "What does an acceleration a, held for T seconds, add to the position, what to the velocity? See (1) and (2).",
-        "G = np.array([[T**2 / 2], [T]]), and Q as before: sigma**2 * G @ G.T.",
+        "`G = np.array([[T**2 / 2], [T]])`, and Q as before: `return sigma**2 * G @ G.T`",
     ],
     inputs=steps_and_sigmas,
     wrong=WRONG["held_push"],
+    then="At T = 1 s the published G is right, and its program had T = 2 s. Try a formula with a step that is not 1.",
 )
 def held_push(T, sigma):
     """Q for an unknown acceleration of standard deviation sigma held for T, published with G = [T/2; 1]."""

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from kflearn.exercises._hints import tried
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 
@@ -15,6 +17,12 @@ def corrections(rng):
     hints=[
         "NEES is the squared error divided by the claimed variance. What is the mean of the squared error here?",
         "After the correction the error is (1 − K) times the error before, minus K times the error of the reading.",
+        tried(
+            (4, 0, 1, 2),
+            "average_nees(4, 0, 1, 2)",
+            "With K = 0 nothing is corrected: the mean squared error stays P = 4, and the NEES is 4/2.",
+            "Try K = 0: nothing is corrected, the mean squared error stays P. And K = 1, where only the reading counts?",
+        ),
         "Joseph's form holds for any gain: the mean squared error is (1 − K)²P + K²R.",
         "`return ((1 - K) ** 2 * P + K**2 * R) / claim`",
     ],
@@ -48,7 +56,48 @@ def corrections(rng):
             lambda P, K, R, claim: (((1 - K) ** 2 * P + K**2 * R) / claim) ** 0.5,
             "That is a ratio of standard deviations. NEES compares squares: leave the root out.",
         ),
+        "not divided": (
+            lambda P, K, R, claim: (1 - K) ** 2 * P + K**2 * R,
+            "That is the mean squared error, as Joseph's form gives it. NEES is that, divided by the variance that the filter claims.",
+        ),
+        "one": (
+            lambda P, K, R, claim: 1.0,
+            "1 would be the answer if the claim were honest. Here it is any number: work out the mean squared error first.",
+        ),
+        "P over claim": (
+            lambda P, K, R, claim: P / claim,
+            "You divided the predicted variance. The error that is tested is the one after the correction with K.",
+        ),
+        "claim squared": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + K**2 * R) / claim**2,
+            "The numerator is right. `claim` is a variance already: divide by it once.",
+        ),
+        "the best gain": (
+            lambda P, K, R, claim: P * R / (P + R) / claim,
+            "You used the best gain, P/(P + R). The filter uses the K that is handed in.",
+        ),
+        "K of R not squared": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + K * R) / claim,
+            "The first half is right. The reading's error is multiplied by K, so its variance by K².",
+        ),
+        "K and 1 − K swapped": (
+            lambda P, K, R, claim: (K**2 * P + (1 - K) ** 2 * R) / claim,
+            "K and 1 − K have changed places: the state's error is multiplied by 1 − K, the reading's by K.",
+        ),
+        "plain, upside down": (
+            lambda P, K, R, claim: claim / ((1 - K) * P),
+            "Two things: NEES is the error by the claim, not upside down; and (1 − K)P is the variance for the best gain only.",
+        ),
+        "1 − K not squared": (
+            lambda P, K, R, claim: ((1 - K) * P + K**2 * R) / claim,
+            "The second half is right. The state's error is multiplied by 1 − K, so its variance by (1 − K)².",
+        ),
+        "R without K": (
+            lambda P, K, R, claim: ((1 - K) ** 2 * P + R) / claim,
+            "The first half is right. Only K times the reading's error comes in, so its variance counts as K²R.",
+        ),
     },
+    then="With the best gain K = P/(P + R) the numerator is (1 − K)P again, and an honest claim makes the NEES 1.",
 )
 def average_nees(P, K, R, claim):
     """The average NEES of a filter of one state (H = 1) that uses the gain K and claims the variance `claim`."""
@@ -87,17 +136,46 @@ def average_nees(P, K, R, claim):
             lambda orders: 10 ** (orders / 2),
             "That is the ratio of the largest to the smallest number; asked is how many powers of ten it is.",
         ),
+        "half, and cut off": (lambda orders: orders // 2, "`//` cuts off the half: for 9 orders the root spans 4.5."),
+        "five fewer": (
+            lambda orders: orders - 5,
+            "That is right for ten orders, as in the lesson, and for no other number.",
+        ),
+        "a quarter": (lambda orders: orders / 4, "You halved twice. One root halves the exponent once."),
+        "five": (
+            lambda orders: 5.0 + 0 * orders,
+            "5 is right for the ten orders of the lesson. The function is to answer for any number of orders.",
+        ),
+        "squared": (
+            lambda orders: orders**2,
+            "You squared the count. Taking the root of 10ⁿ changes the exponent n; into what?",
+        ),
+        "logarithm": (
+            lambda orders: np.log10(orders) / 2,
+            "`orders` is the exponent already, so no logarithm is needed.",
+        ),
+        "root, then half": (
+            lambda orders: orders**0.5 / 2,
+            "You took the root of the count of orders. It is an exponent: the root of 10ⁿ is 10 to the power of what?",
+        ),
     },
+    then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):
     """How many powers of ten a root of P spans, when P spans `orders` of them."""
     return orders / 2
 
 
-def two_roots(rng):
-    """Roots of a covariance before and after a correction, lower triangular; which comes first is chance."""
-    before = np.tril(rng.integers(1, 7, (2, 2))).astype(float)
-    after = before * rng.choice([-0.75, -0.5, 0.25, 0.5], 2)
+def two_roots(rng, n):
+    """Roots of a covariance before a reading and after it, triangular, with any signs; which comes first is chance."""
+    before = np.tril(rng.integers(-3, 4, (n, n)), -1) + np.diag(rng.integers(2, 7, n)) * rng.choice([-1.0, 1.0], n)
+    h, R = rng.integers(1, 4, n) * rng.choice([-1, 1], n), rng.integers(1, 9) / 4
+    while not (before @ before.T @ h).all():  # a reading that leaves a variance as it was
+        h[rng.integers(n)] += 1
+    seen = before.T @ h  # Potter's correction: the reading is h times the state, its variance R
+    S = seen @ seen + R
+    after = before - np.outer(before @ seen, seen) / (S + np.sqrt(R * S))
+    after = np.linalg.cholesky(after @ after.T) * rng.choice([-1.0, 1.0], n)
     return (before, after) if rng.random() < 0.5 else (after, before)
 
 
@@ -113,7 +191,7 @@ def smaller(first, second):
         "Root times transposed root, in this order: L Lᵀ.",
         "`P, other = one @ one.T, two @ two.T`, then `return P if np.trace(P) < np.trace(other) else other`",
     ],
-    inputs=two_roots,
+    inputs=in_turn(two_roots, 2, 3, 4, 1),
     wrong={
         "as published": (
             lambda one, two: one @ one.T,
@@ -147,7 +225,36 @@ def smaller(first, second):
             lambda one, two: smaller(one * one, two * two),
             "You squared each element; `*` is not the matrix product `@`.",
         ),
+        "the roots' traces": (
+            lambda one, two: one @ one.T if np.trace(one) < np.trace(two) else two @ two.T,
+            "You compared the traces of the *roots*. A root may have minus signs, so its trace says little: compare the traces of L Lᵀ.",
+        ),
+        "smaller entries": (
+            lambda one, two: np.minimum(one @ one.T, two @ two.T),
+            "You took the smaller number entry by entry: that mixes two matrices. Choose one of the two as a whole.",
+        ),
+        "difference": (
+            lambda one, two: one @ one.T - two @ two.T,
+            "That is what the reading has taken away, or its negative. Asked is what is left: one of the two products.",
+        ),
+        "first entry of the roots": (
+            lambda one, two: one @ one.T if one[0, 0] < two[0, 0] else two @ two.T,
+            "You compared the first entries of the *roots*, which may have minus signs. Square them first: compare variances.",
+        ),
+        "sum": (
+            lambda one, two: one @ one.T + two @ two.T,
+            "You added both covariances. Only one of them is that after the reading: choose.",
+        ),
+        "mean": (
+            lambda one, two: (one @ one.T + two @ two.T) / 2,
+            "You averaged both covariances. Only one of them is that after the reading: choose.",
+        ),
+        "fused": (
+            lambda one, two: np.linalg.inv(np.linalg.inv(one @ one.T) + np.linalg.inv(two @ two.T)),
+            "You fused the two, as if they were independent. The reading is in one of them already: choose that one.",
+        ),
     },
+    then="The trace decides because a reading makes no variance larger, whatever H and R are. A prediction may.",
 )
 def posterior(one, two):
     """The covariance after the reading, from two roots: one of the covariance before the reading, one of that after."""

@@ -1,8 +1,9 @@
 """The learner's progress: which exercises are solved, in one small file beside the notebooks.
 
 The file may be deleted, or damaged, or be read-only: then progress starts anew, or is not kept, and nothing else
-changes. Several notebooks may note at one instant: one writes, the others wait for it. Only exercises solved in a notebook kernel started beside lesson 0 are noted, or wherever the environment
-variable KFLEARN_PROGRESS names a file.
+changes. Several notebooks may note at one instant: one writes, the others wait for it. Only exercises solved in a
+notebook's kernel are noted, beside lesson 0 (looked for in the kernel's folder, in those above it and in their folders
+`notebooks`), or wherever the environment variable KFLEARN_PROGRESS names a file.
 """
 
 import contextlib
@@ -15,7 +16,8 @@ import time
 from importlib import import_module
 from pathlib import Path
 
-NAME = ".progress.json"
+NAME, FIRST = ".progress.json", "00-start-here.ipynb"
+NOT_KEPT = f"(The tick is not kept: this kernel was not started in the folder of {FIRST}.)"
 PATIENCE = 6.0  # seconds to wait for other notebooks that are writing; then the tick is not kept
 ABANDONED = 3.0  # seconds after which a lock belongs to a kernel that has died: writing takes a thousandth of that
 
@@ -24,8 +26,20 @@ def place() -> Path | None:
     """The file, or None where progress is not kept."""
     if named := os.environ.get("KFLEARN_PROGRESS"):
         return Path(named)
-    in_notebook = "ipykernel" in sys.modules
-    return Path(NAME) if in_notebook and Path("00-start-here.ipynb").exists() else None
+    home = folder() if in_notebook() else None
+    return home and home / NAME
+
+
+def in_notebook() -> bool:
+    """Does this run in a notebook's kernel?"""
+    return "ipykernel" in sys.modules
+
+
+def folder() -> Path | None:
+    """The folder of the lessons: the kernel's own, one above it, or `notebooks` in one of these."""
+    here = Path.cwd()
+    near = (each for above in (here, *list(here.parents)[:3]) for each in (above, above / "notebooks"))
+    return next((each for each in near if (each / FIRST).exists()), None)
 
 
 def solved() -> set[str]:
@@ -106,13 +120,13 @@ def lessons(folder=".") -> list[tuple]:
     return found
 
 
-def table(folder=".") -> "Table":
+def table(where=None) -> "Table":
     """What is solved and what is not, lesson by lesson, with links.
 
     Parameters
     ----------
-    folder : str or Path
-        Where the notebooks are.
+    where : str or Path, optional
+        The folder of the notebooks; found by itself when not given.
 
     Returns
     -------
@@ -125,7 +139,7 @@ def table(folder=".") -> "Table":
     >>> progress.table()
     Run this cell in JupyterLab: a table of the exercises you have solved, lesson by lesson.
     """
-    return Table(folder)
+    return Table(where or folder() or ".")
 
 
 class Table:
@@ -139,14 +153,16 @@ class Table:
 
     def html(self) -> str:
         """The table as HTML."""
+        if not (found := lessons(self.folder)):
+            return f"<p>No lessons here: open this notebook beside {FIRST}, and run the cell again.</p>"
         known, rows, total = solved(), [], 0
-        for file, title, names, module in lessons(self.folder):
+        for file, title, names, module in found:
             done = [f"{module}.{name}" in known for name in names]
             total += len(names)
             ticks = " ".join("✓" if one else "○" for one in done)
             link = f'<a href="{html.escape(file)}" target="_blank">{html.escape(title)}</a>'
             rows.append(f"<tr><td>{link}</td><td>{ticks}</td><td>{sum(done)} of {len(done)}</td></tr>")
-        mine = sum(f"{m}.{n}" in known for _, _, names, m in lessons(self.folder) for n in names)
+        mine = sum(f"{m}.{n}" in known for _, _, names, m in found for n in names)
         return f"<table>{''.join(rows)}<tr><td>all</td><td></td><td>{mine} of {total}</td></tr></table>"
 
     def _repr_mimebundle_(self, **_):

@@ -4,6 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._hints import is_about
+from kflearn.exercises._start_here import WRONG
+from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 
@@ -24,8 +27,13 @@ from kflearn.exercises.engine import exercise
             63.5,
             "63.5 is halfway between the smallest and the largest reading. The mean uses all three.",
         ),
+        "the last two": (64, "64 is the mean of the last two readings. The first counts as much as they do."),
+        "the first two": (61.5, "61.5 is the mean of the first two readings. The third counts as much as they do."),
+        "the largest": (66, "66 is the largest reading. The mean uses all three."),
+        "the smallest": (61, "61 is the smallest reading. The mean uses all three."),
     },
     unit="m",
+    then="Two readings lie below the mean, by 2 m and 1 m, and one above it, by 3 m: the distances on both sides are equal.",
 )
 def three_readings():
     """The mean of the readings 61, 62 and 66 m."""
@@ -38,32 +46,9 @@ def three_readings():
         "You need √n ≥ 1/0.1.",
         "√n must be 10, so n = 100.",
     ],
-    wrong={
-        "σ/n": (10, "Ten readings give 1/√10 = 0.32 m: the standard deviation falls with √n, not with n."),
-        "a zero too many": (
-            1000,
-            "1,000 readings give 1/√1000 = 0.03 m: more than was asked for. Solve 1/√n = 0.1 for n.",
-        ),
-        "±2σ": (
-            400,
-            "400 readings bring 2σ down to 0.1 m. That is a useful promise, but σ itself was asked for.",
-        ),
-        "root of ten": (
-            lambda: math.sqrt(10),
-            "You took a root where a square is needed: from √n = 10 follows n = 10², not n = √10.",
-        ),
-        "the variance": (
-            lambda: 0.1**2,
-            "0.01 m² is the variance the mean must have. How many readings bring 1 m² down to it?",
-        ),
-        "2σ/n": (
-            20,
-            "Twenty readings give 1/√20 = 0.22 m. Halving σ takes four times the readings, not twice.",
-        ),
-        "one too many": (101, "101 is more than needed: 0.1 m itself is allowed."),
-        "one too few": (99, "With 99 readings σ is 0.1005 m: just not there yet."),
-    },
+    wrong=WRONG["readings_needed"],
     unit="readings",
+    then="For 0.01 m you would need 10,000 readings: one more digit costs a hundred times as many.",
 )
 def readings_needed():
     """How many readings with σ = 1 m bring the σ of their mean down to 0.1 m?"""
@@ -72,7 +57,8 @@ def readings_needed():
 
 def next_readings(rng):
     """A mean, the number of readings with the new one, the new reading."""
-    return int(rng.integers(20, 41)) / 2, int(rng.integers(2, 10)), int(rng.integers(20, 41)) / 2
+    mean = int(rng.integers(20, 41)) / 2
+    return mean, int(rng.integers(2, 10)), mean + float(rng.choice([-6.5, -2, 1.5, 3, 7]))
 
 
 @exercise(
@@ -82,52 +68,8 @@ def next_readings(rng):
         "`return mean + (z - mean) / n`",
     ],
     inputs=next_readings,
-    wrong={
-        "n + 1": (
-            lambda mean, n, z: mean + (z - mean) / (n + 1),
-            "You divided by n + 1, but n counts the new reading already: with the second reading the gain is 1/2.",
-        ),
-        "n − 1": (
-            lambda mean, n, z: mean + (z - mean) / (n - 1),
-            "You divided by the number of the old readings, n − 1. The new one counts too: with the second reading the gain is 1/2.",
-        ),
-        "halfway": (
-            lambda mean, n, z: (mean + z) / 2,
-            "You go halfway every time. The old mean stands for n − 1 readings, the new reading for one.",
-        ),
-        "wrong sign": (
-            lambda mean, n, z: mean + (mean - z) / n,
-            "Your mean walks away from the reading: the surprise is measured minus expected, z - mean.",
-        ),
-        "weights swapped": (
-            lambda mean, n, z: z + (mean - z) / n,
-            "You gave the new reading the weight of all the old ones. Start at mean and walk the part 1/n towards z.",
-        ),
-        "surprise forgotten": (
-            lambda mean, n, z: mean + z / n,
-            "You added a part of the reading itself. Add a part of the surprise, z - mean.",
-        ),
-        "sum over n": (
-            lambda mean, n, z: (mean + z) / n,
-            "The old mean stands for n − 1 readings, so it counts n − 1 times: ((n − 1)·mean + z)/n. Or use the form with the gain.",
-        ),
-        "not divided": (
-            lambda mean, n, z: (n - 1) * mean + z,
-            "That is the sum of all n readings. Divide it by n.",
-        ),
-        "the new reading": (
-            lambda mean, n, z: z,
-            "You return the new reading and forget all the old ones: that is a gain of 1.",
-        ),
-        "the old mean": (
-            lambda mean, n, z: mean,
-            "You return the old mean, so nothing was learnt: that is a gain of 0.",
-        ),
-        "whole numbers": (
-            lambda mean, n, z: mean + (z - mean) // n,
-            "// rounds down to a whole number. Divide with a single /.",
-        ),
-    },
+    wrong=WRONG["update_mean"],
+    then="The gain 1/n goes to zero: the thousandth reading moves the mean by a thousandth of the surprise. What happens if the length changes after all?",
 )
 def update_mean(mean, n, z):
     """The mean of n readings, from the mean of the first n − 1 and the n-th reading z."""
@@ -136,8 +78,12 @@ def update_mean(mean, n, z):
 
 @exercise(
     hints=[
-        "95 % of the readings lie within ±2σ. So which part of the 6 m is σ?",
-        "σ = 6/2 metres. R is a variance: square it.",
+        lambda last: (
+            "You have σ. Is R a σ or its square?"
+            if is_about(last, 3)
+            else "95 % of the readings lie within ±2σ. So which part of the 6 m is σ?"
+        ),
+        "σ is 6/2 metres. R is a variance: square it.",
         "σ = 3 m, R = 3² = 9 m².",
     ],
     wrong={
@@ -160,72 +106,54 @@ def update_mean(mean, n, z):
             lambda: math.sqrt(3),
             "You took the root of σ. From a standard deviation to a variance you square.",
         ),
-        "12": (12, "You doubled the 6 m. It is 2σ: halve it, then square."),
+        "12": (12, "12 is neither (6/2)² nor 6²: halve the 6 m first, then square the result."),
+        "half of half": (2.25, "You took 6 m for the whole width. It is ±6 m, so the width is 12 m, and 6 m is 2σ."),
+        "6 by 2² the wrong way": (1.5, "You divided by 2². The 2 belongs to σ = 6/2; then square."),
+        "95 % of it": (
+            34.2,
+            "The 95 % is no factor: it says that 95 of 100 readings lie within ±6 m, and that is ±2σ.",
+        ),
+        "95 % of σ": (5.7, "The 95 % is no factor: it says that 95 of 100 readings lie within ±6 m, and that is ±2σ."),
+        "95 % of it, squared": (
+            32.49,
+            "The 95 % is no factor: it says that 95 of 100 readings lie within ±6 m, and that is ±2σ.",
+        ),
+        "95 % of the half, squared": (
+            8.1225,
+            "The 95 % is no factor: it says that 95 of 100 readings lie within ±6 m, and that is ±2σ.",
+        ),
+        "σ with 1.96": (
+            3.061224489795918,
+            "That is σ, with 1.96 where this lesson says 2. R is a variance: square it.",
+        ),
+        "twice the square": (72, "You squared the 6 m and doubled it. It is 2σ: halve it first, then square."),
     },
     unit="m²",
-    rtol=0.05,  # who divides by 1.96 finds 9.37
+    rtol=5e-3,
+    also=[(6 / 1.96) ** 2],
+    then="With 1.96 in place of 2 it is 9.37 m², which is right as well: no data sheet is as exact as that.",
 )
 def data_sheet():
     """R for a receiver whose data sheet says ±6 m at 95 %."""
-    sigma = 6 / 2
-    return sigma**2
+    half = 6 / 2  # σ
+    return half**2
 
 
-def errors(rng):
+def errors(rng, n):
     """Some errors, not centred on zero."""
-    return (rng.integers(-8, 9, 6) / 2 + 1.5,)
+    return (rng.integers(-8, 9, n) / 2 + 1.5,)
 
 
 @exercise(
     hints=[
         "Read the name backwards: first square, then take the mean, then the root. Which of these does the published line do?",
         "`error**2` squares every entry of an array, `np.mean` takes the mean, `np.sqrt` the root.",
-        "return np.sqrt(np.mean(error**2))",
+        "`return np.sqrt(np.mean(error**2))`",
     ],
-    inputs=errors,
-    wrong={
-        "as published": (
-            lambda error: np.mean(abs(error)),
-            "That is still the mean absolute error. The square must come before the mean, and the root after it.",
-        ),
-        "root forgotten": (
-            lambda error: np.mean(error**2),
-            "That is the mean square, in m². Take the root to come back to metres.",
-        ),
-        "standard deviation": (
-            lambda error: np.std(error),
-            "`np.std` subtracts the mean error first, so it cannot see an offset: the torn tape would look as good as a whole one.",
-        ),
-        "variance": (
-            lambda error: np.var(error),
-            "`np.var` subtracts the mean error first, so it cannot see an offset; and it is in m².",
-        ),
-        "root of the sum": (
-            lambda error: np.sqrt(np.sum(error**2)),
-            "You took the sum of the squares: it grows with every reading. Take their mean.",
-        ),
-        "root of the sum, divided": (
-            lambda error: np.sqrt(np.sum(error**2)) / len(error),
-            "Divide by the number of errors before you take the root, not after.",
-        ),
-        "n − 1": (
-            lambda error: np.sqrt(np.sum(error**2) / (len(error) - 1)),
-            "Dividing by n − 1 is for distances from a mean of the same readings. These are errors against the truth: divide by n.",
-        ),
-        "plain mean": (
-            lambda error: np.mean(error),
-            "In the plain mean errors of +5 and −5 m cancel. Square first, and nothing cancels.",
-        ),
-        "size of the mean": (
-            lambda error: np.sqrt(np.mean(error) ** 2),
-            "You took the mean before you squared, so that errors of +5 and −5 m cancel. Square each error first.",
-        ),
-        "largest": (
-            lambda error: np.max(abs(error)),
-            "That is the largest error: one bad reading decides everything.",
-        ),
-    },
+    inputs=in_turn(errors, 2, 6, 9, 3),
+    wrong=WRONG["root_mean_square"],
     unit="m",
+    then="For normally distributed errors the mean absolute error is 0.80 σ: that is why the published line looks a fifth better than it is.",
 )
 def root_mean_square(error):
     """The root mean square of an array of errors, which a published program replaces by their mean absolute value."""

@@ -4,8 +4,13 @@ import math
 
 import numpy as np
 
+from kflearn.exercises import _two_fixes
+from kflearn.exercises._cart_with_gaps import FAILING, PASSING, recording
+from kflearn.exercises._hints import tried
+from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._train_and_ship import WRONG
-from kflearn.exercises.engine import exercise
+from kflearn.exercises._turns import in_turn
+from kflearn.exercises.engine import Mark, exercise, judged
 
 
 def speeds(rng):
@@ -18,52 +23,18 @@ def speeds(rng):
 @exercise(
     hints=[
         "Two things make x̂₀ wrong: the speed scatters about the middle of its range, and the middle is not where the filter starts.",
+        tried(
+            (0, 12, 6),
+            "start_variance(0, 12, 6)",
+            "There the filter starts in the middle, and only the scatter is left: 12. And what if it starts at 0?",
+            "Begin with a filter that starts in the middle, (0, 12, 6): only the scatter is left, 12. And what if it starts at 0?",
+        ),
         "The mean square about `believed` is the variance about the middle, plus the squared distance from the middle to `believed`.",
         "Where anything between two limits is equally likely, the variance is (high − low)²/12. Add ((low + high)/2 − believed)².",
     ],
     inputs=speeds,
-    wrong={
-        "as published": (
-            lambda low, high, believed: 1.0,
-            "That is the published answer again: 1, whatever is known. Then five becomes 'five, give or take one'.",
-        ),
-        "the wrong guess forgotten": (
-            lambda low, high, believed: (high - low) ** 2 / 12,
-            "That is the variance about the middle of the range. The filter starts at `believed`, and P₀ counts errors from there.",
-        ),
-        "the scatter forgotten": (
-            lambda low, high, believed: ((low + high) / 2 - believed) ** 2,
-            "That is the squared distance from the middle only; at believed = middle it would claim to know the speed exactly.",
-        ),
-        "a deviation": (
-            lambda low, high, believed: math.sqrt((high - low) ** 2 / 12 + ((low + high) / 2 - believed) ** 2),
-            "Rightly put together, and then the root was taken: P holds variances, in (m/s)².",
-        ),
-        "distance not squared": (
-            lambda low, high, believed: (high - low) ** 2 / 12 + abs((low + high) / 2 - believed),
-            "The distance from the middle to `believed` is in m/s; to be added to a variance it must be squared.",
-        ),
-        "the whole range squared": (
-            lambda low, high, believed: (high - low) ** 2 + ((low + high) / 2 - believed) ** 2,
-            "You took the whole range for a standard deviation. Between two limits the variance is the range squared, over 12.",
-        ),
-        "half the range squared": (
-            lambda low, high, believed: (high - low) ** 2 / 4 + ((low + high) / 2 - believed) ** 2,
-            "Half the range is the farthest that the speed can be from the middle; on average it is nearer: divide the range squared by 12.",
-        ),
-        "half the range squared, guess forgotten": (
-            lambda low, high, believed: (high - low) ** 2 / 4,
-            "Half the range as σ is too much between hard limits (divide the range squared by 12), and the wrong guess is missing.",
-        ),
-        "range over 12": (
-            lambda low, high, believed: (high - low) / 12 + ((low + high) / 2 - believed) ** 2,
-            "The 12 belongs under the range *squared*; m/s and (m/s)² cannot be added.",
-        ),
-        "the worst case": (
-            lambda low, high, believed: max(abs(high - believed), abs(low - believed)) ** 2,
-            "That is the worst error, squared. P₀ is the *mean* square: nothing is over-confident here, but the start counts too little.",
-        ),
-    },
+    wrong=WRONG["start_variance"],
+    then="Where the filter starts in the middle of the range, only (high − low)²/12 is left: five, give or take 2.9, for 0 to 10 m/s.",
 )
 def start_variance(low, high, believed):
     """The honest P₂₂ when the speed lies between two limits, all equally likely, and the filter starts at `believed`."""
@@ -71,21 +42,28 @@ def start_variance(low, high, believed):
     return (high - low) ** 2 / 12 + (middle - believed) ** 2
 
 
-def positions(rng):
+def positions(rng, count):
     """Positions of something that moves, and the time between two of them."""
     dt = float(rng.integers(1, 11) / 10)
-    return 50 + np.cumsum(rng.integers(0, 20, int(rng.integers(8, 12))) / 2), dt
+    return 50 + np.cumsum(rng.integers(0, 20, count) / 2), dt
 
 
 @exercise(
     hints=[
         "Five differences need six readings. Which is the first reading that has five before it?",
+        tried(
+            (np.arange(7.0), 1),
+            "running_average(z, 1) for z = 0, 1 … 6",
+            "The speed is 1 all the time: five NaN are wanted, then 1, 1.",
+            "Try z = 0, 1 … 6 with dt = 1: the speed is 1 all the time, so five NaN are wanted, then 1, 1.",
+        ),
         "The sixth, `z[5]`. Start from `np.full(len(z), np.nan)` and fill it from there on.",
         "Five differences in a row add up to one: the average at k is `(z[k] - z[k - 5]) / (5 * dt)`.",
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
-    inputs=positions,
+    inputs=in_turn(positions, 6, 9, 7, 14),
     wrong=WRONG["running_average"],
+    then="All readings in between cancel, so five differences together scatter by a fifth of one, not by 1/√5 of it.",
 )
 def running_average(z, dt):
     """The average of the last five differences at each reading, in units per second; NaN where five do not exist."""
@@ -94,9 +72,9 @@ def running_average(z, dt):
     return speed
 
 
-def fix_errors(rng):
+def fix_errors(rng, count):
     """Errors of fixes, east and north (m), with a mean that is not zero."""
-    return (rng.normal([3, -2], [8, 12], (12, 2)).round(1),)
+    return (rng.normal([3, -2], [8, 12], (count, 2)).round(1),)
 
 
 @exercise(
@@ -106,57 +84,9 @@ def fix_errors(rng):
         "`errors.mean(axis=0)`, and the squared distance of a fix is `np.sum(errors**2, axis=1)`.",
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
-    inputs=fix_errors,
-    wrong={
-        "as published": (
-            lambda e: (np.cov(e.T), np.mean(np.hypot(*e.T))),
-            "That is the published report again: a covariance called a mean, and a mean distance called RMS.",
-        ),
-        "mean distance": (
-            lambda e: (e.mean(axis=0), np.mean(np.hypot(*e.T))),
-            "The mean is right. The second number is still the mean distance: square, *then* average, then take the root.",
-        ),
-        "rms right, covariance": (
-            lambda e: (np.cov(e.T), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
-            "The root mean square is right. The first is still a covariance, in m²: a mean error is in metres.",
-        ),
-        "variances": (
-            lambda e: (e.var(axis=0), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
-            "The root mean square is right. The first are variances, in m²: a mean error is in metres and has a sign.",
-        ),
-        "an rms for each axis": (
-            lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2, axis=0))),
-            "The mean is right. You return one rms for each axis, as R wants them; the rms *distance* is one number.",
-        ),
-        "all numbers alike": (
-            lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2))),
-            "The mean is right. `np.mean` over all 2T numbers gives an rms per axis, √2 too small: first add the squares of a fix.",
-        ),
-        "root forgotten": (
-            lambda e: (e.mean(axis=0), np.mean(np.sum(e**2, axis=1))),
-            "The mean is right. The second is a mean square, in m²: the root is missing.",
-        ),
-        "about the mean": (
-            lambda e: (e.mean(axis=0), np.sqrt(np.mean(np.sum((e - e.mean(axis=0)) ** 2, axis=1)))),
-            "The mean is right. But you took it away before squaring: a receiver that is always 50 m off would get a fine mark.",
-        ),
-        "mean not divided": (
-            lambda e: (e.mean(axis=0), np.sqrt(np.sum(e**2))),
-            "The mean is right. You took the root of the *sum* over all fixes: more fixes would make the error larger.",
-        ),
-        "mean of both axes": (
-            lambda e: (e.mean(), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
-            "The root mean square is right. The mean needs `axis=0`: east and north apart, else one hides the other.",
-        ),
-        "mean of each fix": (
-            lambda e: (e.mean(axis=1), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
-            "The root mean square is right. You averaged east with north in each fix: the mean goes over the fixes, `axis=0`.",
-        ),
-        "mean without sign": (
-            lambda e: (abs(e).mean(axis=0), np.sqrt(np.mean(np.sum(e**2, axis=1)))),
-            "The root mean square is right. A mean error keeps its sign: errors to both sides cancel, and so they should.",
-        ),
-    },
+    inputs=in_turn(fix_errors, 3, 12, 5, 2),
+    wrong=WRONG["report"],
+    then="The two need each other: a large mean says that something is biased, and no filter with zero-mean R will remove it.",
 )
 def report(errors):
     """The mean error (east, north) and the root mean square distance of the errors (T, 2) of fixes."""
@@ -204,7 +134,36 @@ def report(errors):
             lambda: 36 * 2 * math.log(2),
             "You multiplied 6 m by 1.18. The radius is the larger number here, σ the smaller: divide.",
         ),
+        "not squared, not divided": (
+            6.0,
+            "That is the radius of the sheet itself. First find σ of one axis, then square it.",
+        ),
+        "rms distance, not squared": (
+            lambda: 6 / math.sqrt(2),
+            "You took 6 m for the rms distance and returned a σ. Half of the fixes lie within 1.18 σ; and R is a variance.",
+        ),
+        "halved": (
+            lambda: 36 / (2 * math.log(2)) / 2,
+            "You halved. But 6 m/1.177 is σ of one axis already, and R is its square.",
+        ),
+        "mean distance of the lesson": (
+            lambda: (60 / 12.5) ** 2,
+            "You took the lesson's 12.5 m, which is the *mean* distance. Which of the four numbers has half of the fixes inside?",
+        ),
+        "half of 6 m as σ": (
+            3.0,
+            "You took half of the radius. R is a variance, and half of the fixes lie within 1.18 σ, not within 2 σ.",
+        ),
+        "half of σ": (
+            lambda: 6 / math.sqrt(2 * math.log(2)) / 2,
+            "You halved σ. R is the square of σ, and σ of one axis is 6 m/1.177.",
+        ),
+        "root of the radius over 1.18": (
+            lambda: 6 / 1.177**2,
+            "You divided by the square of 1.177, and did not square the 6 m. First σ = 6 m/1.177, then the square of it.",
+        ),
     },
+    then="The same receiver could print 7.2 m (rms), 6.4 m (mean) or 12.5 m (95 %): always ask which of them a sheet means.",
 )
 def data_sheet():
     """Half of all fixes lie within 6 m of the truth: which R (m²) for each axis?"""
@@ -226,9 +185,78 @@ def two_fixes(rng):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong=WRONG["two_point_start"],
+    wrong=_two_fixes.WRONG["two_point_start"],
+    then="Half the dt makes the speed's σ twice as large. For a slow ship, two fixes far apart make the better start, until Q counts.",
 )
 def two_point_start(z0, z1, dt, R):
     """Mean and covariance of (position, speed) after two fixes, dt apart, each with variance R."""
     mean = np.array([z1, (z1 - z0) / dt])
     return mean, R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])
+
+
+@judged(
+    hints=[
+        "Answer the six headings first: state, F, Q, H, R and the start. Which of them change with dt, sd and sigma?",
+        "In one step the acceleration a moves the position by a·dt²/2 and the speed by a·dt. Q is the covariance of these two.",
+        "Where `z[k]` is NaN, predict and do not correct: `np.isfinite(reading)` tells. Start with position z[0], variance sigma², "
+        "and speed 0, variance 9.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "position error (rms)",
+            rms(0),
+            high=4.4,
+            above="That is more than needed. Is R = sigma²? Does the filter go on by itself in the gaps?",
+            unit="m",
+        ),
+        Mark(
+            "speed error (rms)",
+            rms(1),
+            high=1.25,
+            above="That is more than needed. Does Q contain sd² and dt, does the start know that speeds are within some m/s?",
+            unit="m/s",
+        ),
+        Mark(
+            "true position inside ±2σ",
+            inside(0),
+            92,
+            98,
+            below="The claim is too small: does P grow in the gaps, does Q have sd²?",
+            above="The claim is too large: are Q and R those of the recording?",
+            unit="%",
+        ),
+        Mark(
+            "NEES / n",
+            nees(),
+            0.85,
+            1.2,
+            below="Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?",
+            above="Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?",
+        ),
+    ],
+    form=track(2),
+    passing=PASSING,
+    failing=FAILING,
+    then="The gaps cost most just before they end. `rts_smoother`, in lesson 21, uses the readings behind a gap as well.",
+)
+def cart_with_gaps(z, dt, sd, sigma):
+    """Write a filter `(z, dt, sd, sigma) → mean, covariance` for a cart whose readings fail for a while.
+
+    z (200,): positions in metres, dt seconds apart (0.5, 1 or 2), NaN where there is none, never the first. The
+    acceleration stays the same during a step and is drawn anew for each, with mean 0 and standard deviation sd (m/s²).
+    A reading has the standard deviation sigma (m). The speed at the first reading is drawn from N(0, 3²) (m/s). Return
+    the means (200, 2) and covariances (200, 2, 2) of position and speed at each reading, gaps and the first included.
+    """
+    push = np.array([dt**2 / 2, dt])
+    F, Q, H = np.array([[1, dt], [0, 1]]), sd**2 * np.outer(push, push), np.array([[1.0, 0.0]])
+    x, P = np.array([z[0], 0.0]), np.diag([sigma**2, 9.0])
+    means, covs = [x], [P]
+    for reading in z[1:]:
+        x, P = F @ x, F @ P @ F.T + Q
+        if np.isfinite(reading):
+            K = P @ H.T / (H @ P @ H.T + sigma**2)
+            x, P = x + K @ (reading - H @ x), (np.eye(2) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)

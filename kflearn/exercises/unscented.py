@@ -50,9 +50,21 @@ def image(degrees):
             lambda: 100 * np.exp(-(np.radians(30) ** 2) / 2),
             "That is the true mean, and very near. The three points give a little more: take their weighted sum.",
         ),
+        "weights not divided": (
+            lambda: 100 + 2 * image(90 + np.sqrt(3) * 30),
+            "You added the three images without their weights: 2/3 for the centre, 1/6 for each of the others.",
+        ),
+        "along x": (
+            0.0,
+            "That is the mean along the x-axis, or a mean of differences. The y-axis was asked for: 100 sin θ.",
+        ),
     },
     unit="m",
     rtol=1e-4,
+    then=(
+        "The true mean is 87.19 m: three points miss it by 2 cm, the tangent by almost 13 m. What would an angle "
+        "of 90° ± 60° do to both?"
+    ),
 )
 def three_points():
     """The mean of 100 sin θ for θ of 90° ± 30°, by the unscented rule with n = 1, α = 1, κ = 2."""
@@ -83,7 +95,21 @@ def three_points():
             "κ = 0 is what the program declares. Then n + λ would be 4, or 1, and it works with 3.",
         ),
         "swapped": ((8, -1), "The two values have changed places: first for α = 1, then for α = ½."),
+        "lambda for alpha one half": (
+            (-1, -2.5),
+            "Right for α = 1. For α = ½ you multiplied 3 by α; it must be divided by α², because α²(n + κ) has to"
+            " be 3.",
+        ),
+        "alpha twice": (
+            (-1, 12),
+            "Right for α = 1. For α = ½ you gave n + κ; take off n = 4.",
+        ),
+        "alpha squared once more": (
+            (-1, 44),
+            "Right for α = 1. For α = ½ you divided by α⁴; the declaration holds α².",
+        ),
     },
+    then="With n + λ = 3 and n = 4 the centre's weight is 1 − 4/3 = −1/3: a weight of this rule may be negative.",
 )
 def declared_kappa():
     """The κ that makes α²(n + κ) equal n + λ with λ = 3 − n, for n = 4: first with α = 1, then with α = ½."""
@@ -98,7 +124,7 @@ def covariance(rng, n):
 
 def moved_belief(rng):
     """Mean and covariance of moved points, a Q, and a scale."""
-    n = int(rng.integers(2, 4))
+    n = int(rng.choice([3, 4, 2]))
     return rng.integers(-20, 20, n) / 2, covariance(rng, n), covariance(rng, n), rng.integers(5, 40) / 10
 
 
@@ -170,7 +196,23 @@ def columns(P):
             lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q))).T,
             "The right points, turned on their side: one row for each point was asked for, (2n + 1, n).",
         ),
+        "centre missing": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q)))[1:],
+            "The outer points are right. The centre, the mean itself, is a point too: put it first.",
+        ),
+        "minus missing": (
+            lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q)))[: len(mean) + 1],
+            "Half of the points: each column goes both ways, mean + column and mean − column.",
+        ),
+        "scale divides": (
+            lambda mean, P, Q, scale: around(mean, columns((P + Q) / scale)),
+            "You divided by the scale. It multiplies the covariance: the points lie √scale standard deviations away.",
+        ),
     },
+    then=(
+        "With Q = 0 the moved points and the redrawn ones have the same mean and covariance; only where something "
+        "is added must the points be drawn anew."
+    ),
 )
 def redrawn(mean, P, Q, scale):
     """The points to be measured, (2n+1, n): those of a belief that moved to N(mean, P) and was then widened by Q."""
@@ -209,7 +251,25 @@ def redrawn(mean, P, Q, scale):
             2.0202 / 202.2,
             "You divided the sums. Each component has its own unit and its own claim: first divide, then add.",
         ),
+        "real variances": (
+            2.0202,
+            "That is the sum of the real variances. Each of them is to be divided by the variance that P₀ claims "
+            "for it.",
+        ),
+        "claimed variances": (
+            202.2,
+            "That is the sum of the claimed variances. Divide the real one of each component by its claimed one, "
+            "then add.",
+        ),
+        "upside down, as a factor": (
+            6 / 0.042,
+            "That is how many times too small it is. The question asks for the average of eᵀP₀⁻¹e itself.",
+        ),
     },
+    then=(
+        "The claim is too modest by a factor of 6/0.042, about 143 in variance: a NEES far below its band says so,"
+        " while the error alone looks excellent."
+    ),
 )
 def start_nees():
     """The average of eᵀP₀⁻¹e for P₀ = diag(100, 100, 1, 1, 0.1, 0.1), when e is drawn from Q = diag(1, 1, 0.01, 0.01, 0.0001, 0.0001)."""

@@ -4,76 +4,49 @@ import math
 
 import numpy as np
 
-from kflearn.exercises.engine import exercise
+from kflearn.exercises import _voltmeter_judge as judge
+from kflearn.exercises._hints import is_about
+from kflearn.exercises._judge import Mark
+from kflearn.exercises._turns import in_turn
+from kflearn.exercises._voltmeter import WRONG
+from kflearn.exercises._voltmeter_start import WRONG as MORE
+from kflearn.exercises.engine import exercise, judged
 
 
 @exercise(
     hints=[
-        "Two lines of the loop come before x is touched: P grows, then K is formed.",
+        lambda last: (
+            "Your prediction has 4 V². Which line of the loop comes before the gain?"
+            if is_about(last, 0.5)
+            else "Two lines of the loop come before x is touched: P grows, then K is formed."
+        ),
         "Before the second reading P has grown from 4 to 4 + Q.",
         "K = 8 / (8 + 4).",
     ],
-    wrong={
-        "forgot Q": (0.5, "You forgot to predict: P grows by Q = 4 before the gain is formed."),
-        "1 − K": (1 / 3, "That is 1 − K, the weight of the prediction; the gain has P on top."),
-        "σ for σ²": (
-            math.sqrt(8) / (math.sqrt(8) + 2),
-            "You weighed with standard deviations; the gain takes variances.",
-        ),
-        "steady gain": (0.618034, "That is where the gain comes to rest later; the second reading meets a larger one."),
-        "Q and R swapped for sums": (
-            0.8,
-            "Q was added twice: only one prediction lies between the first and the second reading.",
-        ),
-    },
+    wrong=WRONG["second_gain"],
+    then="The next gains are 0.625, 0.619 and 0.618: after four readings the filter has settled, whatever the readings were.",
 )
 def second_gain():
     """The gain for the second reading, with P = 4 V² after the first and Q = R = 4 V²."""
-    P = 4 + 4
-    return P / (P + 4)
+    before = 4 + 4
+    return before / (before + 4)
 
 
 def noises(rng):
-    """A pair Q, R over four decades."""
-    return 10 ** rng.uniform(-2, 2), 10 ** rng.uniform(-2, 2)
-
-
-def forgotten_prediction(Q, R):
-    """The fixed point of a recursion that fuses P = Q with R."""
-    return Q / (Q + R)
+    """A pair Q, R over two decades, with three digits."""
+    return float(f"{10 ** rng.uniform(-1, 1):.3g}"), float(f"{10 ** rng.uniform(-1, 1):.3g}")
 
 
 @exercise(
     hints=[
         "After the correction P = K·R (why? P = (1 − K)P⁻, and K = P⁻/(P⁻ + R)). So P⁻ = K·R + Q.",
         "Put it into K = P⁻/(P⁻ + R) and write q = Q/R: K² + qK − q = 0.",
-        "K = (√(q² + 4q) − q) / 2; or simply `P = R`, then some hundred times `P = (P + Q) * R / (P + Q + R)`.",
+        "K = (√(q² + 4q) − q) / 2; or simply `P = R`, then a hundred times `P = (P + Q) * R / (P + Q + R)`.",
     ],
     inputs=noises,
-    rtol=1e-5,
-    wrong={
-        "Q / (Q + R)": (
-            forgotten_prediction,
-            "That takes P⁻ for Q alone. But what was left over from the step before is still there: P⁻ = P + Q.",
-        ),
-        "Q and R swapped": (
-            lambda Q, R: (math.sqrt((R / Q) ** 2 + 4 * R / Q) - R / Q) / 2,
-            "You swapped Q and R: the larger Q, the more a new reading must count.",
-        ),
-        "1 − K": (
-            lambda Q, R: 1 - (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
-            "That is 1 − K, what the prediction keeps.",
-        ),
-        "P instead of K": (
-            lambda Q, R: R * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
-            "That is the steady variance P = K·R, in V²; the gain is a pure number.",
-        ),
-        "golden ratio always": (lambda Q, R: 0.6180339887, "0.618 is the answer for Q = R only."),
-        "other root": (
-            lambda Q, R: (-math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
-            "The quadratic equation has two roots; a gain lies between 0 and 1.",
-        ),
-    },
+    rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
+    wrong=WRONG["steady_gain"],
+    then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
 def steady_gain(Q, R):
     """The gain at which growth by Q and cut by the reading balance."""
@@ -81,11 +54,12 @@ def steady_gain(Q, R):
     return (math.sqrt(q**2 + 4 * q) - q) / 2
 
 
-def starts(rng):
-    """A state of three numbers, of which none, some or all are unknown."""
-    x = rng.integers(-9, 10, 3).astype(float)
-    unknown = rng.permutation(3)[: rng.integers(0, 4)]
-    x[unknown] = np.nan
+def starts(rng, n):
+    """A state of n numbers, of which none, the first, the last, one in between, some or all are unknown."""
+    x = rng.integers(-9, 10, n).astype(float)
+    where = rng.choice(["none", "first", "last", "middle", "some", "all"])
+    some, middle = rng.permutation(n)[: (n + 1) // 2], [int(rng.integers(1, n - 1))] if n > 2 else []
+    x[{"none": [], "first": [0], "last": [-1], "middle": middle, "some": some, "all": range(n)}[where]] = np.nan
     return (x,)
 
 
@@ -93,85 +67,52 @@ def starts(rng):
     hints=[
         "One unknown entry is enough to spoil everything that follows.",
         "np.isnan(x) gives one True or False for each entry; you want to know whether any of them is True.",
-        "return np.isnan(x).any()",
+        "`return np.isnan(x).any()`",
     ],
-    inputs=starts,
-    wrong={
-        "as published": (
-            lambda x: np.isnan(x).all(),
-            "That is the published test again: it says yes only when every entry is unknown.",
-        ),
-        "the wrong way round": (lambda x: not np.isnan(x).any(), "Your function says yes when the start is known."),
-        "only the first": (lambda x: np.isnan(x[0]), "You look at the first entry only; NaN may sit in any of them."),
-        "x == nan": (
-            lambda x: (x == np.nan).any(),
-            "NaN equals nothing, not even itself, so x == np.nan is always False: use np.isnan.",
-        ),
-    },
+    inputs=in_turn(starts, 1, 3, 2, 5),
+    wrong=WRONG["is_unknown"],
+    then="One NaN spreads at once: in F @ x each entry becomes NaN, even where F has a zero, because 0 · NaN is NaN.",
 )
 def is_unknown(x):
     """True if any entry of the state is unknown (NaN)."""
     return np.isnan(x).any()
 
 
-def first_measurements(rng):
-    """A measurement of two states, its H and its R."""
-    noise = rng.integers(1, 5, (2, 2)).astype(float)
-    H = np.array([[2.0, 1.0], [0.0, 1.0]]) + rng.integers(0, 3, (2, 2)) * np.eye(2)
-    return rng.integers(-9, 10, 2).astype(float), H, noise @ noise.T + np.eye(2)
+def first_measurements(rng, n):
+    """A measurement of n states, its H and its R, with corners."""
+    noise = rng.integers(1, 5, (n, n)).astype(float)
+    H = rng.integers(0, 3, (n, n)) + 5 * np.eye(n)
+    return rng.integers(1, 10, n) * rng.choice([-1.0, 1.0], n), H, noise @ noise.T + np.eye(n)
 
 
 @exercise(
     hints=[
         "z = Hx + v. If you knew that v = 0, what would x be?",
         "The error of x is H⁻¹v. The covariance of a matrix A times v is A R Aᵀ, here with A = H⁻¹.",
-        "x = np.linalg.solve(H, z); half = np.linalg.solve(H, R); P = np.linalg.solve(H, half.T)",
+        "`A = np.linalg.inv(H)`, then `return A @ z, A @ R @ A.T`",
     ],
-    inputs=first_measurements,
-    wrong={
-        "H⁻¹R only": (
-            lambda z, H, R: (np.linalg.solve(H, z), np.linalg.solve(H, R)),
-            "x is right. P lacks its right-hand factor: H⁻¹R is not symmetric, and no covariance; multiply by H⁻ᵀ.",
-        ),
-        "P = R": (
-            lambda z, H, R: (np.linalg.solve(H, z), R),
-            "x is right. R is the covariance of z; that of x = H⁻¹z is H⁻¹RH⁻ᵀ.",
-        ),
-        "H⁻¹RH⁻¹": (
-            lambda z, H, R: (np.linalg.solve(H, z), np.linalg.solve(H, R) @ np.linalg.inv(H)),
-            "x is right. In P the second inverse must be transposed: H⁻¹RH⁻ᵀ.",
-        ),
-        "HRHᵀ": (
-            lambda z, H, R: (np.linalg.solve(H, z), H @ R @ H.T),
-            "x is right. HRHᵀ goes from states to measurements; here you go back, with inverses.",
-        ),
-        "z itself": (
-            lambda z, H, R: (z, R),
-            "z is a measurement, not a state: undo H first. The two agree only for H = 1.",
-        ),
-        "Hz": (
-            lambda z, H, R: (H @ z, H @ R @ H.T),
-            "You applied H once more instead of undoing it: z = Hx, so x = H⁻¹z.",
-        ),
-    },
+    inputs=in_turn(first_measurements, 1, 2, 3, 2),
+    wrong=MORE["auto_start"],
+    then="A correction that starts from any x with a P that grows beyond all bounds tends to the same x and P: this is the start of somebody who knew nothing.",
 )
 def auto_start(z, H, R):
     """The state and covariance that one measurement z = Hx + v alone gives, H invertible."""
-    x = np.linalg.solve(H, z)
-    half = np.linalg.solve(H, R)
-    return x, np.linalg.solve(H, half.T)
+    undo = np.linalg.inv(H)
+    return undo @ z, undo @ R @ undo.T
 
 
 @exercise(
     hints=[
         "Two opinions about the voltage of this moment: N(12, 4) from knowing the source, and a reading with variance 4.",
         "Fuse them: K = 4 / (4 + 4), and the variance that is left is 4(1 − K).",
-        "√2 V.",
+        "The variance that is left is 2 V²; its root is √2 V.",
     ],
     unit="V",
-    rtol=4e-3,
     wrong={
-        "variance": (2.0, "2 is the variance that is left, in V²; the error in volts is its root."),
+        "variance": (
+            2.0,
+            "2 V² is the variance that is left; the error in volts is its root. (By chance 2 V is the error of a single reading too: the best answer must be better than that.)",
+        ),
         "K": (0.5, "That is K. The question goes on: what error is left?"),
         "filter's claim": (
             1.5723,
@@ -181,9 +122,97 @@ def auto_start(z, H, R):
             1.63,
             "That is what the Kalman filter reaches; the formula that knows the right world gets better.",
         ),
+        "K times σ": (1.0, "1 V is half of a reading's σ. It is the variance that K cuts in half, not σ."),
+        "one variance": (4.0, "4 V² is the variance of each of the two. Together they are better than each alone."),
+        "root of K": (
+            lambda: math.sqrt(0.5),
+            "You took the root of K. Take it of the variance that is left, 4(1 − K).",
+        ),
+        "variances added": (
+            lambda: math.sqrt(8),
+            "You added the variances. When two opinions are fused, the variance becomes smaller than each.",
+        ),
+        "sum of the variances": (
+            8.0,
+            "8 V² is the sum of the two variances. Fusing makes the variance smaller than each.",
+        ),
+        "12 V": (12, "12 V is the mean of the source. How far off is the best answer?"),
+        "golden": (
+            0.618034,
+            "That is the gain of the filter with its random walk. Here the reading is fused with N(12, 4), by lesson 4.",
+        ),
+        "in the constant world": (
+            1.35,
+            "1.35 V is the filter's error for a source that does not move. Here it jumps about 12 V.",
+        ),
+        "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
     },
+    then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )
 def best_error():
     """The root mean square error of the best answer when N(12, 4) is read with variance 4."""
-    K = 4 / (4 + 4)
-    return math.sqrt(4 * (1 - K))
+    gain = 4 / (4 + 4)
+    return math.sqrt(4 * (1 - gain))
+
+
+@judged(
+    hints=[
+        "Begin with the loop of the lesson. Which four lines depend on Q and R, and what is kept after each reading?",
+        "Without a reading (`np.isnan(reading)`) only the first line of the loop is done: P grows. The estimate stays, "
+        "and both are kept all the same.",
+        "Start with `x, P = z[0], R`. For each further reading: `P = P + Q`; if there is a reading, `K = P / (P + R)`, "
+        "`x = x + K * (reading - x)`, `P = (1 - K) * P`; then append x and P.",
+    ],
+    recording=judge.recording,
+    marks=[
+        Mark(
+            "error, compared with that of the best filter",
+            judge.error_ratio,
+            high=1.05,
+            above="Does the gain come from this recording's Q and R, and is it formed anew for each reading?",
+        ),
+        Mark(
+            "truth inside ±2σ where there is a reading",
+            judge.inside_readings,
+            low=93,
+            high=97.5,
+            unit="%",
+            below="The variances are too small. Has P grown by Q before each gain, and is it P that you return, not its root?",
+            above="The variances are too large. Is each of them the one after the reading, (1 − K)P?",
+        ),
+        Mark(
+            "truth inside ±2σ in the gaps",
+            judge.inside_gaps,
+            low=90,
+            high=99,
+            unit="%",
+            below="P has to grow by Q for each reading that is missing.",
+            above="In a gap P grows by Q, once for each missing reading, and by no more.",
+        ),
+        Mark(
+            "mean of error²/P",
+            judge.nees,
+            low=0.85,
+            high=1.15,
+            below="P is too large for these errors: a variance, or a σ?",
+            above="P is too small for these errors: a variance, or a σ?",
+        ),
+    ],
+    form=judge.two_series,
+    then="With the same two numbers Q and R it copes with gaps of any length. Where do Q and R come from, if nobody hands them over? That is lesson 6.",
+    passing=judge.PASSING,
+    failing=judge.FAILING,
+)
+def whole_filter(z, Q, R):
+    """A whole filter: the estimates and their variances for 200 readings z, of which some are NaN, with given Q and R."""
+    x, P = z[0], R
+    estimates, variances = [x], [P]
+    for reading in z[1:]:
+        P = P + Q
+        if not np.isnan(reading):
+            K = P / (P + R)
+            x = x + K * (reading - x)
+            P = (1 - K) * P
+        estimates.append(x)
+        variances.append(P)
+    return estimates, variances

@@ -1,8 +1,14 @@
 """Lesson 22: your own data."""
 
+from itertools import cycle
+
 import numpy as np
 
-from kflearn.exercises.engine import exercise
+from kflearn.exercises import _a_ride
+from kflearn.exercises._hints import after
+from kflearn.exercises._judge import track
+from kflearn.exercises._your_data import WRONG
+from kflearn.exercises.engine import exercise, judged
 from kflearn.results.consistency import chi_square_interval
 
 LOW, HIGH = chi_square_interval(1, 40)
@@ -12,7 +18,7 @@ LOW, HIGH = chi_square_interval(1, 40)
     hints=[
         "The sum of squared deviations over R is chi-square with 40 degrees of freedom: one goes to the mean.",
         "`chi_square_interval(1, 40)` is the interval of (sample variance) / R. You want R: it stands in the denominator.",
-        "With `low, high = chi_square_interval(1, 40)` the answer is `(0.09 / high, 0.09 / low)`.",
+        "With `ends = chi_square_interval(1, 40)` the answer is `(0.09 / ends[1], 0.09 / ends[0])`.",
     ],
     wrong={
         "multiplied": (
@@ -47,19 +53,60 @@ LOW, HIGH = chi_square_interval(1, 40)
             "That is the rule of thumb R (1 ± 1.96 √(2/40)), symmetric about 0.09. The true interval is lopsided: it "
             "reaches further up than down.",
         ),
+        "the interval itself": (
+            (LOW, HIGH),
+            "That is the interval of (sample variance) / R. Solve for R: 0.09 divided by each end, the larger end"
+            " first.",
+        ),
+        "two columns": (
+            lambda: tuple(0.09 / end for end in chi_square_interval(2, 40)[::-1]),
+            "You reckoned with two columns. Here it is one: `chi_square_interval(1, 40)`.",
+        ),
+        "eighty": (
+            lambda: tuple(0.09 / end for end in chi_square_interval(1, 80)[::-1]),
+            "That is the number of the lesson's ride with two axes. One column of 41 readings has 40 degrees of "
+            "freedom.",
+        ),
+        "41 degrees, multiplied": (
+            lambda: tuple(0.09 * end for end in chi_square_interval(1, 41)),
+            "Two things: one degree of freedom goes to the mean, which leaves 40; and R = 0.09 divided by the "
+            "chi-square number.",
+        ),
+        "interval of the mean": (
+            (0.09 - 2 * 0.3 / 41**0.5, 0.09 + 2 * 0.3 / 41**0.5),
+            "That is how well the *mean* is known, ±2σ/√n, about the wrong middle. The variance has its own "
+            "interval: chi-square.",
+        ),
+        "90 %": (
+            lambda: tuple(0.09 / end for end in chi_square_interval(1, 40, 0.9)[::-1]),
+            "That is the interval at 90 %. The question asks for 95 %, which is what `chi_square_interval` takes "
+            "by itself.",
+        ),
+        "one number": (
+            0.09,
+            "That is the sample variance. Hand in two limits, `(low, high)`.",
+        ),
     },
     unit="m²",
     rtol=3e-3,
+    then=(
+        "From 41 readings R is known to within a factor of about 0.7 to 1.6. To halve the width of that interval "
+        "takes about four times as many readings."
+    ),
 )
 def interval_of_R():
     """41 readings at rest scatter with a sample variance of 0.09 m². Between which limits does R lie, at 95 %?"""
-    low, high = chi_square_interval(1, 40)
-    return 0.09 / high, 0.09 / low
+    ends = chi_square_interval(1, 40)
+    return 0.09 / ends[1], 0.09 / ends[0]
 
 
 @exercise(
     hints=[
-        "Which power of a time stands in the unit of q?",
+        after(
+            1e-4,
+            "You took the unit of q for m²/s. How often does the time stand in m²/s³?",
+            "Which power of a time stands in the unit of q?",
+        ),
         "The position's share of Q is q Δt³/3, in m². All Δt are 1000 times too large, and this share has to stay.",
         "`0.1 / 1000**3`",
     ],
@@ -75,20 +122,65 @@ def interval_of_R():
             lambda: 0.1 / 1000**1.5,
             "You scaled a standard deviation. q is a variance a time, m²/s³: divide by 1000³.",
         ),
+        "times 1000": (
+            100.0,
+            "You multiplied by 1000. The steps have become longer, so q has to shrink; and the time stands three "
+            "times in m²/s³.",
+        ),
+        "times 1000²": (
+            1e5,
+            "You multiplied by 1000². The steps have become longer, so q has to shrink; and the time stands three"
+            " times in m²/s³.",
+        ),
+        "root of 1000": (
+            0.1 / 1000**0.5,
+            "You divided by √1000. Look at the unit of q, m²/s³: divide by 1000 for each of the three times.",
+        ),
+        "÷ 1000⁴": (
+            1e-13,
+            "You divided by 1000⁴. The unit of q is m²/s³: three times, not four.",
+        ),
+        "without 0.1": (
+            1e-9,
+            "That is 1/1000³. It is to be multiplied by the 0.1 that q was before.",
+        ),
+        "only 1000⁻³ of a third": (
+            0.1 / 3 / 1000**3,
+            "The third in q Δt³/3 stands on both sides and cancels: 0.1 divided by 1000³.",
+        ),
+        "negative": (
+            -0.1,
+            "A variance cannot be negative. Divide by 1000 for each of the three times in m²/s³.",
+        ),
     },
     unit="m²/s³",
+    then=(
+        "The card cannot tell, because Q is the same; but q says what can happen within one of its “seconds”, and "
+        "this one says that nothing ever happens."
+    ),
 )
 def milliseconds_for_seconds():
     """Time stamps in milliseconds are taken for seconds. Which q leaves NIS as it was with q = 0.1 m²/s³?"""
     return 0.1 / 1000**3
 
 
+def holes(z, kind, rng):
+    """Some readings are missing: in the middle, the first, the last, several in a row, or none."""
+    z[rng.integers(1, 3)] = np.nan if kind != 4 else z[0]
+    z[0] = np.nan if kind == 1 else z[0]
+    z[-1] = np.nan if kind == 2 else z[-1]
+    z[3:5] = np.nan if kind == 3 else z[3:5]
+    return z
+
+
+KINDS = cycle(range(5))  # each of them in the twenty trials
+
+
 def gappy(rng):
-    """Uneven time stamps (the first readings are there), and readings of which some are missing."""
-    n = int(rng.integers(6, 10))
-    time, z = np.cumsum(rng.integers(1, 5, n)) / 2, rng.integers(0, 20, n) / 2
-    z[rng.choice(np.arange(2, n - 1), 2, replace=False)] = np.nan
-    return time, z
+    """Uneven time stamps, and readings of which some are missing."""
+    n = int(rng.choice([9, 7, 6]))
+    time = np.cumsum(rng.integers(1, 5, n)) / 2
+    return time, holes(rng.integers(0, 20, n) / 2, next(KINDS), rng)
 
 
 @exercise(
@@ -98,37 +190,11 @@ def gappy(rng):
         "`return np.diff(time[~np.isnan(z)])`",
     ],
     inputs=gappy,
-    wrong={
-        "ones": (
-            lambda time, z: np.ones((~np.isnan(z)).sum() - 1),
-            "That is the bug itself: one reading, one second. Where a reading is missing the clock goes on.",
-        ),
-        "median": (
-            lambda time, z: np.full((~np.isnan(z)).sum() - 1, np.median(np.diff(time))),
-            "You gave every step the median length. Over a gap the step is longer.",
-        ),
-        "all rows": (
-            lambda time, z: np.diff(time),
-            "Those are the steps between all rows, the empty ones too. Their number no longer fits the readings.",
-        ),
-        "steps dropped": (
-            lambda time, z: np.diff(time)[~np.isnan(z[1:])],
-            "You took the differences first and then dropped those that lead to a gap. The time of the dropped steps is "
-            "lost: the clock still stops. First drop, then take differences.",
-        ),
-        "times": (
-            lambda time, z: time[~np.isnan(z)],
-            "Those are the right time stamps. The filter wants the steps between them: `np.diff`.",
-        ),
-        "differences of readings": (
-            lambda time, z: np.diff(z[~np.isnan(z)]),
-            "You took differences of the readings. The steps are differences of the time stamps.",
-        ),
-        "backwards": (
-            lambda time, z: -np.diff(time[~np.isnan(z)]),
-            "Your steps are negative: the later time stamp minus the earlier one.",
-        ),
-    },
+    wrong=WRONG["clock"],
+    then=(
+        "The sum of the steps is the time from the first reading to the last: a check worth having in every "
+        "program that reads a clock."
+    ),
 )
 def clock(time, z):
     """The steps (s) between the readings that are there; time (T,), z (T,) with NaN where one is missing."""
@@ -136,16 +202,15 @@ def clock(time, z):
 
 
 def a_departure(rng):
-    """Time stamps, readings that stand still and then leave, one of them missing, and the moment of departure."""
-    time = np.arange(12) / 2
-    until = float(rng.integers(5, 9)) / 2
-    z = rng.integers(-4, 5, 12) / 4 + 3 * np.maximum(time - until, 0) + 5
-    z[int(rng.integers(1, 4))] = np.nan
+    """Uneven time stamps, readings that stand still and then leave, some of them missing, and when they leave."""
+    n, rows = int(rng.choice([24, 18, 12])), int(rng.integers(5, 9))
+    time = np.cumsum(rng.integers(1, 9, n)) / 2 * rng.integers(1, 3)
+    until = float(time[rows] - rng.integers(0, 2) / 4)
+    z = rng.integers(-4, 5, n) / 4 + 3 * np.maximum(time - until, 0) + 5
+    kind = next(KINDS)
+    z[:rows] = holes(z[:rows], kind, rng)
+    z[-1] = np.nan if kind == 3 else z[-1]
     return time, z, until
-
-
-def at_rest(time, z, until):
-    return z[time < until]
 
 
 @exercise(
@@ -155,41 +220,46 @@ def at_rest(time, z, until):
         "`return np.nanvar(z[time < until], ddof=1)`",
     ],
     inputs=a_departure,
-    wrong={
-        "whole record": (
-            lambda time, z, until: np.nanvar(z, ddof=1),
-            "You took the whole record. Whatever moved counts as noise then: keep to `time < until`.",
-        ),
-        "whole record, ddof 0": (
-            lambda time, z, until: np.nanvar(z),
-            "You took the whole record. Whatever moved counts as noise then: keep to `time < until`.",
-        ),
-        "the moving part": (
-            lambda time, z, until: np.nanvar(z[time >= until], ddof=1),
-            "That is the variance of the ride. At rest means *before* `until`.",
-        ),
-        "NaN": (
-            lambda time, z, until: np.var(at_rest(time, z, until), ddof=1),
-            "One reading at rest is NaN, and so is your variance: use `np.nanvar`.",
-        ),
-        "NaN, ddof 0": (
-            lambda time, z, until: np.var(at_rest(time, z, until)),
-            "One reading at rest is NaN, and so is your variance: use `np.nanvar`.",
-        ),
-        "ddof 0": (
-            lambda time, z, until: np.nanvar(at_rest(time, z, until)),
-            "Almost: you divided by the number of readings. Their mean was estimated too, so divide by one less: `ddof=1`.",
-        ),
-        "standard deviation": (
-            lambda time, z, until: np.nanstd(at_rest(time, z, until), ddof=1),
-            "That is the standard deviation. R is the variance.",
-        ),
-        "about 0": (
-            lambda time, z, until: np.nanmean(at_rest(time, z, until) ** 2),
-            "You took the mean square about 0. Where it stood is not noise: take off the mean first.",
-        ),
-    },
+    wrong=WRONG["variance_at_rest"],
+    then="How well is it known? With n readings its relative error is about √(2/(n − 1)): for 20 readings a third.",
 )
 def variance_at_rest(time, z, until):
     """R from the readings with time < until, at which nothing moved; z (T,) may hold NaN."""
     return np.nanvar(z[time < until], ddof=1)
+
+
+@judged(
+    hints=[
+        "Three things before the first step: R from the first 30 s, the steps Δt from the time stamps, and a start from the first reading. What does each of them look like in this lesson?",
+        "In each step build F and Q from its own Δt, as `design` does. Then predict, ask for the NIS, correct if it passes the gate; a NaN never passes.",
+        "`R = np.nanvar(z[time < 30], axis=0, ddof=1).mean()`; x = [z[0, 0], 0, z[0, 1], 0] with variances R and 9; a gate at 13.8 refuses one good reading in a thousand.",
+    ],
+    recording=_a_ride.a_ride,
+    marks=_a_ride.MARKS,
+    form=track(4),
+    then="Here the truth was known. For a file of your own the report card takes its place: hand it this filter, and read each line.",
+    passing=_a_ride.PASSING,
+    failing=_a_ride.FAILING,
+)
+def ride(time, z, q):
+    """From the arrays of a file to a filter that can be defended: mean (T, 4) and covariance (T, 4, 4) at each time stamp.
+
+    State: east, its speed, north, its speed, in m and m/s. time (T,): time stamps in s, uneven, with one long hole.
+    z (T, 2): readings of east and north in m, of which some are NaN and some are far off; the first one is good. During
+    the first 30 s nothing moves. q: white acceleration in m²/s³. R, in m², the same on both axes, is for you to find.
+    """
+    R = np.nanvar(z[time < 30], axis=0, ddof=1).mean()
+    H, each = np.kron(np.eye(2), [[1, 0]]), np.eye(2)
+    x, P = np.array([z[0, 0], 0, z[0, 1], 0]), np.kron(each, np.diag([R, 9]))
+    means, covs = [x], [P]
+    for dt, seen in zip(np.diff(time), z[1:], strict=True):
+        F = np.kron(each, [[1, dt], [0, 1]])
+        Q = q * np.kron(each, [[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
+        x, P = F @ x, F @ P @ F.T + Q
+        y, S = seen - H @ x, H @ P @ H.T + R * each
+        if y @ np.linalg.solve(S, y) < 13.8:  # never true for NaN
+            K = np.linalg.solve(S, H @ P).T
+            x, P = x + K @ y, P - K @ S @ K.T
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)

@@ -68,8 +68,8 @@ def test_the_learners_version_has_no_solutions(course):
     assert all(learners[name].source.strip() == made[name].source.strip() for name in made), (
         "what other tests take for it"
     )
-    assert "return solved(" in teachers["fuse"].source
-    assert "SOLUTION" not in str(learners) and "solved" not in str(learners)
+    assert "return my_fuse(" in teachers["fuse"].source
+    assert "SOLUTION" not in str(learners) and "my_fuse" not in str(learners)
     assert learners["third_opinion"].source.strip() == "answer_third_opinion = ..."
     assert learners["fuse"].source.rstrip().endswith("# your lines in place of the dots\n    ...")
     for name in ("points-fuse", "given-0"):  # what must not be changed

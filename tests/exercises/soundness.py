@@ -1,6 +1,8 @@
 """What an exercise must stand before it meets a learner."""
 
+import inspect
 import re
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -16,6 +18,10 @@ def assert_sound(each):
     assert each.question, f"{each.name}: the question (the solution's docstring) is missing"
     solved = each.check(each._answer())
     assert solved.status == "right", f"{each.name}: its own solution gets: {solved}"
+    for label, design in getattr(each, "passing", {}).items():
+        assert each.check(design).status == "right", f"{each.name}: the design {label!r} gets: {each.check(design)}"
+    for label, design in getattr(each, "failing", {}).items():
+        assert each.check(design).status == "wrong", f"{each.name}: the design {label!r} passes"
     for label, (answer, sentence) in each.wrong.items():
         assert sentence.strip(), f"{each.name}: the wrong answer {label!r} has no sentence"
         expected, found = Outcome("wrong", sentence).text, each.check(answer).text
@@ -23,11 +29,23 @@ def assert_sound(each):
     for untouched in UNTOUCHED + (UNTOUCHED_FUNCTIONS if isinstance(each, FunctionExercise) else ()):
         assert each.check(untouched).status == "not attempted", f"{each.name}: untouched is not recognised"
     assert len(each.hints) >= 2, f"{each.name}: two hints or more are wanted"
-    for hint in each.hints:
+    hints = [hint(None) if callable(hint) else hint for hint in each.hints]
+    for hint in hints:
         assert re.search(r"\w \S.*[.?!…:)`]$", hint, re.S), f"{each.name}: this hint is no sentence: {hint!r}"
-    for hint in each.hints[:-1]:
+    for hint in hints[:-1]:
         assert not gives_away(hint, each), f"{each.name}: this hint gives the answer away: {hint!r}"
-    assert each.solution().text.startswith(f"def {each.name}("), f"{each.name}: the solution cannot be shown"
+    assert_solved(each)
+
+
+def assert_solved(each, names=None):
+    """The solution runs as it is shown, in a notebook with such names, and its last line hands in what is right."""
+    module = SimpleNamespace(**{each.name: each})
+    code, _, last = each.solution().text.rstrip().rpartition("\n")
+    made_here = inspect.getclosurevars(each._solve).nonlocals  # of exercises that tests make
+    found = {**made_here, **(names or {}), "exercises": module}
+    exec(compile(code, f"solution of {each.name}", "exec"), found)
+    outcome = eval(last, found)
+    assert outcome.status == "right", f"{each.name}: its solution, as it is shown, gets: {outcome}"
 
 
 def gives_away(hint, each):

@@ -8,6 +8,7 @@ import warnings
 import numpy as np
 import pytest
 
+from kflearn.exercises.engine import exercise
 from tests.exercises.examples import Fighter, Hostile, correct, fused_position, loop_list, lopsided, spread
 
 
@@ -119,7 +120,7 @@ CALLED = [
     (correct, waits, "wrong", "not one of type coroutine."),
     (correct, sometimes, "wrong", "not one of type NoneType."),
     (correct, lambda x, P, z, R: (x, "P"), "wrong", "` value 1 of the result is"),
-    (spread, lambda F, P: -F @ P @ F.T, "wrong", "(it has the opposite sign)."),
+    (spread, lambda F, P: -F @ P @ F.T, "wrong", "✗ Not yet. The result has the opposite sign."),
     (
         spread,
         lambda F, P: (F @ P @ F.T)[0],
@@ -157,12 +158,76 @@ def test_nearly_equal_numbers_are_shown_with_enough_digits():
     assert got != expected
 
 
-def test_prints_and_warnings_stay_inside(capsys):
+def test_prints_are_shown_and_warnings_stay_inside(capsys):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         correct.check(talks)
         correct.check(waits)  # a coroutine that is never awaited
-    assert capsys.readouterr().out == "" and not caught
+    printed = capsys.readouterr().out.splitlines()
+    assert len(printed) == 2 and printed[1] == "(printed in the first of 20 calls)"
+    assert re.fullmatch(r"gain 0\.\d+", printed[0]) and not caught
+
+
+def test_a_flood_of_prints_is_cut(capsys):
+    def floods(x, P, z, R):
+        for _ in range(10_000):
+            print("x" * 99)
+        return correct._solve(x, P, z, R)
+
+    assert correct.check(floods).status == "right"
+    printed = capsys.readouterr().out
+    assert len(printed) < 1000 and "… and 999,400 characters more" in printed
+
+
+def test_a_loop_that_never_ends_is_stopped(monkeypatch):
+    monkeypatch.setattr("kflearn.exercises._watch.SECONDS", 0.2)
+
+    def loops(x, P, z, R):
+        while True:
+            x = x + 1
+
+    outcome = correct.check(loops)
+    assert outcome.status == "raised"
+    assert "It was stopped after" in outcome.text and "does a loop never end?" in outcome.text
+    assert sum(range(1000)) == 499_500  # nothing is raised later
+
+
+# ---- mistakes that are the same in every exercise
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda m, v: (v, m), "The results are right, but in the wrong order: first value 1, as the text says."),
+        (lambda m, v: (m, v**0.5), "The rest is right. Value 2 of the result is the square root of what is wanted"),
+        (lambda m, v: (m, v**2), "is the square of what is wanted"),
+        (lambda m, v: (m, 1 - v), "is 1 minus what is wanted"),
+        (lambda m, v: (m, 1 / v), "is 1 divided by what is wanted"),
+        (lambda m, v: (m, 2 * v), "is twice what is wanted"),
+        (lambda m, v: (m, v / 2), "is half of what is wanted"),
+        (lambda m, v: (m, np.degrees(v)), "is in degrees; radians are wanted"),
+        (lambda m, v: (m, 100 * v), "is 100 times too large"),
+        (lambda m, v: (m, round(v, 3)), "is rounded to 3 digits after the point"),
+        (lambda m, v: (m, v // 1), "`//` and `int` cut them off"),
+        (lambda m, v: (m, v if m > 0 else 0), "It is right in "),
+    ],
+)
+def test_common_mistakes_have_their_sentence(change, words):
+    assert words in correct.check(lambda x, P, z, R: change(*correct._solve(x, P, z, R))).text
+
+
+def test_an_argument_that_is_not_used_is_named():
+    text = correct.check(lambda x, P, z, R: correct._solve(x, P, z, 2.0)).text
+    assert text.startswith("✗ Not yet. The result does not depend on R: a number, or a name of the notebook")
+
+
+def test_what_the_failing_trials_have_in_common_is_said():
+    @exercise(hints=["One.", "Two."], inputs=lambda rng: (rng.choice([1.0, 2.0, np.nan], 3),))
+    def total(z):
+        """Write total(z), of what was measured."""
+        return np.nansum(z)
+
+    assert re.search(r"It is right in \d+ of 20 trials; those that fail have a NaN\.", total.check(np.sum).text)
 
 
 def test_interrupt_passes_through():
@@ -182,3 +247,20 @@ def test_answers_are_left_as_they_were():
     answer = np.array([[13.0, 6.5], [6.0, 3.0]])
     lopsided.check(answer)
     assert answer.tolist() == [[13, 6.5], [6, 3]]
+
+
+def test_a_known_mistake_is_known_where_other_sizes_stop_it():
+    """H for Hᵀ: with square matrices it gives a wrong number, with others an error."""
+    rows = iter([2, 2, 2, 2, 3] * 4)
+
+    @exercise(
+        hints=["First step.", "Second step."],
+        inputs=lambda rng: (rng.normal(size=(next(rows), 2)),),
+        wrong={"H for Hᵀ": (lambda H: np.eye(2) @ H, "You left out the transpose.")},
+    )
+    def turned(H):
+        """Hᵀ after the identity."""
+        return np.eye(2) @ H.T
+
+    assert "You left out the transpose" in turned.check(lambda H: np.eye(2) @ H).text
+    assert turned.check(lambda H: np.eye(2) @ H @ np.eye(3)).status == "raised"

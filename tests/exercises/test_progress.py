@@ -65,6 +65,26 @@ def test_nothing_is_kept_outside_a_course_folder(tmp_path, monkeypatch):
     assert os.listdir(tmp_path) == []
 
 
+def test_the_folder_of_the_lessons_is_found_from_around_it(tmp_path, monkeypatch):
+    monkeypatch.delenv("KFLEARN_PROGRESS", raising=False)
+    monkeypatch.setitem(sys.modules, "ipykernel", object())
+    (tmp_path / "course" / "notebooks" / "mine").mkdir(parents=True)
+    (tmp_path / "course" / "notebooks" / "00-start-here.ipynb").touch()
+    for start in ("course", "course/notebooks", "course/notebooks/mine"):
+        monkeypatch.chdir(tmp_path / start)
+        assert progress.place() == tmp_path / "course" / "notebooks" / ".progress.json"
+
+
+def test_where_a_tick_is_not_kept_it_is_said(tmp_path, monkeypatch):
+    monkeypatch.delenv("KFLEARN_PROGRESS", raising=False)
+    monkeypatch.setitem(sys.modules, "ipykernel", object())
+    monkeypatch.chdir(tmp_path)
+    outcome = solve(FIRST)
+    assert outcome.status == "right"
+    assert outcome.text.endswith("this kernel was not started in the folder of 00-start-here.ipynb.)")
+    assert "No lessons here" in progress.table().html()
+
+
 HAMMER = """
 import sys
 from kflearn.exercises import progress

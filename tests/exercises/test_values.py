@@ -58,6 +58,7 @@ RIGHT = [
     (fused_position, Fraction(185, 3)),
     (fused_position, Decimal("61.667")),
     (lopsided, [[13, 6.5], [6, 3]]),
+    (lopsided, {"first row": [13, 6.5], "second row": [6, 3]}),
     (lopsided, ((13, 6.5), (6, 3))),
     (lopsided, np.array([[13, 6.5], [6, 3]], dtype=np.float32)),
     (lopsided, [np.array([13, 6.5]), [6, 3]]),
@@ -102,7 +103,8 @@ def test_right_says_the_answer_with_its_unit():
 SAID = [
     (fused_position, 63.9, "✗ Not yet. Your answer (in m) is too high."),
     (fused_position, 50, "✗ Not yet. Your answer (in m) is too low."),
-    (fused_position, 61, "✗ Not yet. Your answer (in m) is close, but too low: if you rounded, keep more digits."),
+    (fused_position, 61, "✗ Not yet. Your answer (in m) is too low."),
+    (fused_position, 62, "✗ Not yet. Your answer (in m) is rounded too much: give three digits or more."),
     (fused_position, -61.6667, "✗ Not yet. Your answer (in m) has the opposite sign."),
     (fused_position, 61666.7, "✗ Not yet. Your answer (in m) is 1000 times too large."),
     (fused_position, 6.16667, "✗ Not yet. Your answer (in m) is 10 times too small."),
@@ -147,7 +149,7 @@ SAID = [
     (fused_belief, 7, "Your answer should hold 2 values (the mean, the covariance), not one of type int."),
     (fused_belief, Hostile(), "Your answer cannot be read as numbers."),
     (larger_R, "d", "✗ Not yet. Choose from A, B, C."),
-    (larger_R, ["a", "b"], "✗ Not yet. It is not A."),
+    (larger_R, ["a", "b"], "✗ Not yet. Choose one, please."),
     (larger_R, 3.5, "Choose from A, B, C."),
     (larger_R, np.nan, "Choose from A, B, C."),
     (larger_R, {}, "Choose from A, B, C."),
@@ -156,7 +158,8 @@ SAID = [
     (larger_R, Hostile(), "✗ Not yet. Your answer cannot be read as a choice."),
     (larger_R, loop_list(), "✗ Not yet."),
     (bug_hunt, 99, "✗ Not yet. The fault is not in line 99."),
-    (bug_hunt, {3, 4, 7, 12}, "✗ Not yet. The fault is not in line 3, 12."),
+    (bug_hunt, {3, 4, 7}, "✗ Not yet. The fault is not in line 3."),
+    (bug_hunt, {3, 4, 7, 12, 13, 14}, "✗ Not yet. These are too many: choose."),
     (bug_hunt, 7, "✗ Not yet. That is a part of the answer, but there is more to it."),
     (bug_hunt, "b", "✗ Not yet. Give the number of the line, or a list of them."),
     (bug_hunt, [], "Give the number of the line, or a list of them."),
@@ -219,3 +222,11 @@ def test_tiny_values_are_not_swallowed_by_the_absolute_tolerance():
         return 3e-10
 
     assert small.check(0).status == "wrong" and small.check(3.001e-10).status == "right"
+
+
+def test_another_value_may_be_right_too():
+    each = made(9.0, also=[9.371], wrong={"root": (3, "That is σ.")})
+    assert each.check(9).status == each.check(9.37).status == "right"
+    assert each.check(9.2).status == "wrong"
+    with pytest.raises(ValueError, match=r"'twin' cannot be told from the 'right answer 9.371'"):
+        made(9.0, also=[9.371], wrong={"twin": (9.37, "No.")})

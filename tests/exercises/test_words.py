@@ -26,12 +26,12 @@ def test_hints_become_stronger_and_end():
 
 def test_solution_is_the_source_without_decorator_and_question():
     assert repr(fused_position.solution()).splitlines() == [
-        "def fused_position():",
-        "    gain = 5 / (5 + 1)  # the share of doubt in the first",
-        "    return 60 + gain * (62 - 60)",
+        "gain = 5 / (5 + 1)  # the share of doubt in the first",
+        "answer = 60 + gain * (62 - 60)",
+        "exercises.fused_position.check(answer)",
     ]
     assert "# the gain P / (P + R) becomes smaller" in larger_R.solution().text
-    assert correct.solution()._repr_markdown_().startswith("```python\ndef correct(x, P, z, R):\n    gain")
+    assert correct.solution()._repr_markdown_().startswith("```python\ndef my_correct(x, P, z, R):\n    gain")
 
 
 def test_display():

@@ -21,6 +21,7 @@ from dev.notebooks import execute
 ROOT = Path(__file__).parents[2]
 
 LESSONS = lessons()
+OPEN = "open-text", "open-answer"  # a filter from nothing: these two cells come on top of the measure
 per_lesson = pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
 
 SWEEP = """
@@ -31,6 +32,13 @@ assert _found, "the lesson has no playground"
 for _playground in _found:
     assert _playground.errors == 0
     assert _playground.sweep() >= 3
+from kflearn.exercises.engine import exercises_of
+for _each in exercises_of(exercises):  # the solutions, as they are shown, in the lesson's own notebook
+    *_code, _check = _each.solution().text.splitlines()
+    _names = dict(globals())
+    exec("\\n".join(_code), _names)
+    _outcome = eval(_check, _names)
+    assert _outcome.status == "right", f"{{_each.name}}: {{_outcome}}"
 run_path({script!r})["keep_all"]({{id(each): each for each in _found}}.values(), {folder!r})
 """
 
@@ -74,6 +82,7 @@ def test_there_are_lessons():
 @per_lesson
 def test_measure(path):
     notebook = load(path)
+    notebook.cells = [cell for cell in notebook.cells if cell.id not in OPEN]
     code, prose = code_cells(notebook), texts(notebook)
     lengths = sorted(len(lines(cell)) for cell in code)
     assert 40 <= len(notebook.cells) <= 60

@@ -1,0 +1,153 @@
+"""Wrong answers to exercises of bearings_only, each with the sentence that it gets."""
+
+import math
+
+TURN = 2 * math.pi
+
+
+def published(east, north):
+    """The published angle function, in all four quadrants."""
+    slope = math.atan(abs(north / east))
+    if north >= 0:
+        return slope if east > 0 else math.pi / 2 + slope
+    return 1.5 * math.pi + slope if east > 0 else math.pi + slope
+
+
+def half_mended(quadrant):
+    """The published function with one of its two wrong quadrants mended."""
+
+    def bearing(east, north):
+        here = (north > 0 > east and 2) or (east > 0 > north and 4)
+        return math.atan2(north, east) % TURN if here == quadrant else published(east, north)
+
+    return bearing
+
+
+WRONG = {
+    "mended_bearing": {
+        "as published": (
+            published,
+            "That is the published function again: 105° becomes 165°, and 285° becomes 345°.",
+        ),
+        "quadrant 2 mended": (
+            half_mended(2),
+            "Quadrant 2 is mended. Quadrant 4 has the same fault: there one comes back from a whole turn.",
+        ),
+        "quadrant 4 mended": (
+            half_mended(4),
+            "Quadrant 4 is mended. Quadrant 2 has the same fault: there one comes back from half a turn.",
+        ),
+        "from −π to π": (
+            lambda east, north: math.atan2(north, east),
+            "The direction is right; the published function answers from 0 to 2π, so take the remainder, `% (2 * np.pi)`.",
+        ),
+        "arctangent": (
+            lambda east, north: math.atan(north / east),
+            "The quotient has lost one sign: a target in the north-east and one in the south-west get the same bearing.",
+        ),
+        "arctangent from 0": (
+            lambda east, north: math.atan(north / east) % TURN,
+            "The remainder cannot bring back the sign that the quotient has lost: quadrants 2 and 3 are still half a turn off.",
+        ),
+        "arguments swapped": (
+            lambda east, north: math.atan2(east, north),
+            "`arctan2` takes north first. You have measured from north, clockwise, as a compass does.",
+        ),
+        "arguments swapped, from 0": (
+            lambda east, north: math.atan2(east, north) % TURN,
+            "`arctan2` takes north first. You have measured from north, clockwise, as a compass does.",
+        ),
+        "no signs at all": (
+            lambda east, north: math.atan2(abs(north), abs(east)),
+            "Without the signs every target is seen in the north-east.",
+        ),
+        "degrees": (
+            lambda east, north: math.degrees(math.atan2(north, east)) % 360,
+            "The right direction, but in degrees; the filter works in radians.",
+        ),
+        "mirrored": (
+            lambda east, north: math.atan2(-north, east) % TURN,
+            "North and south have changed places: a target in the north must get a bearing between 0 and π.",
+        ),
+        "modulo half a turn": (
+            lambda east, north: math.atan2(north, east) % math.pi,
+            "Half a turn is no turn: the station would take what is behind it for what is in front of it.",
+        ),
+        "half a turn added": (
+            lambda east, north: math.atan2(north, east) + math.pi,
+            "You added half a turn to every bearing: now each points the opposite way. Only negative angles need something added, and it is a whole turn.",
+        ),
+        "% 360": (
+            lambda east, north: math.atan2(north, east) % 360,
+            "`arctan2` answers in radians, so a whole turn is 2π, not 360.",
+        ),
+        "absolute value": (
+            lambda east, north: abs(math.atan2(north, east)),
+            "`abs` puts every target in the south to the north. A negative angle needs a whole turn added.",
+        ),
+        "a turn added to all": (
+            lambda east, north: math.atan2(north, east) + TURN,
+            "You added a whole turn to all of them: those in the north are now above 2π. The remainder, `% (2 * np.pi)`, adds it only where needed.",
+        ),
+        "no turn in quadrant 4": (
+            lambda east, north: math.atan(north / east) if east > 0 else math.atan(north / east) + math.pi,
+            "Right in three quadrants. South-east you answer with a negative angle: add a whole turn.",
+        ),
+        "arctangent plus half a turn": (
+            lambda east, north: math.atan(north / east) + math.pi,
+            "The quotient has lost one sign, and half a turn for all cannot bring it back: look at the signs of both, as `arctan2` does.",
+        ),
+        "no brackets": (
+            lambda east, north: math.atan2(north, east) % 2 * math.pi,
+            "`%` and `*` are worked out from left to right, so you took the remainder by 2. Put brackets round `(2 * np.pi)`.",
+        ),
+        "arctangent of east over north": (
+            lambda east, north: math.atan(east / north) % TURN,
+            "Two things: the quotient loses a sign, and it is north over east. `arctan2` takes north first, and looks at both signs.",
+        ),
+    },
+    "bearing_variance": {
+        "as published": (
+            lambda sd: math.radians(sd),
+            "That is the standard deviation in radians. Handed over as a variance, 0.1° becomes √(0.1·π/180) rad = 2.394°.",
+        ),
+        "degrees squared": (
+            lambda sd: sd**2,
+            "That is the variance in degrees squared; the filter's innovations are radians.",
+        ),
+        "squared before": (
+            lambda sd: math.radians(sd**2),
+            "You squared the degrees and converted once. The factor π/180 must be squared too.",
+        ),
+        "degrees": (lambda sd: sd, "That is σ, in degrees: neither a variance nor radians."),
+        "backwards": (
+            lambda sd: math.degrees(sd) ** 2,
+            "You multiplied by 180/π: `np.degrees` turns radians into degrees. The other way.",
+        ),
+        "root": (
+            lambda sd: math.sqrt(math.radians(sd)),
+            "You took the root; from σ to the variance one squares.",
+        ),
+        "180 not squared": (
+            lambda sd: (sd * math.pi) ** 2 / 180,
+            "Square the whole of sd·π/180, the 180 as well.",
+        ),
+        "a whole turn": (
+            lambda sd: (sd * math.pi / 360) ** 2,
+            "π radians are 180°, not 360°.",
+        ),
+        "twice σ": (lambda sd: 2 * math.radians(sd), "You doubled the standard deviation. The variance is its square."),
+        "converted twice": (
+            lambda sd: math.radians(math.radians(sd) ** 2),
+            "You converted twice: after σ is in radians, its square is in rad² already.",
+        ),
+        "the notebook's number": (
+            lambda sd: math.radians(0.1) ** 2,
+            "That is R for 0.1°. Write it for any σ: use `sd`.",
+        ),
+        "2σ": (
+            lambda sd: (2 * math.radians(sd)) ** 2,
+            "You doubled σ before squaring. `sd` is one standard deviation, and R is its square.",
+        ),
+    },
+}

@@ -1,0 +1,113 @@
+"""Wrong reports of a fall (lesson 9), each with the sentence that it gets."""
+
+import numpy as np
+
+from kflearn import rmse
+
+
+def compared(x, one, other, cov, keep=slice(None), entry=1, root=np.sqrt, states=0):
+    """A report with some of its details chosen."""
+    errors = (rmse(way[keep][..., states], x[keep][..., states]) for way in (one, other))
+    return *errors, root(cov[keep][-1, entry, entry])
+
+
+WRONG = {
+    "honest_report": {
+        "as published": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov, entry=0, root=lambda v: v),
+            "That is the published report again: it counts underground, leaves out ignoring, and prints the height's variance.",
+        ),
+        "not cut": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov),
+            "You compare with the right thing, but still count underground: keep only moments with x[:, 0] > 0.",
+        ),
+        "compared with raw": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov, x[:, 0] > 0),
+            "The second number is the error of the raw readings. This filter beats them and still does harm: compare with `ignored`.",
+        ),
+        "height's entry": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, entry=0),
+            "The third number is σ of the *height*: cov[…, 0, 0]. The velocity is the second state, entry [1, 1].",
+        ),
+        "variance": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, root=lambda v: v),
+            "The right entry, but it is a variance, in m²/s²; σ is its root.",
+        ),
+        "last of all": (
+            lambda x, z, mean, ignored, cov: (
+                *compared(x, mean, ignored, cov, x[:, 0] > 0)[:2],
+                np.sqrt(cov[-1, 1, 1]),
+            ),
+            "The errors are right. But σ is that of the very last moment, deep underground: take the last one above.",
+        ),
+        "below": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] <= 0),
+            "You kept what lies underground and threw away the rest.",
+        ),
+        "both states": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, states=slice(None)),
+            "Your errors mix metres with metres per second: take the height alone, column 0.",
+        ),
+        "swapped": (
+            lambda x, z, mean, ignored, cov: compared(x, ignored, mean, cov, x[:, 0] > 0),
+            "The two errors have changed places: first the filter's, then that of ignoring.",
+        ),
+        "filter against prediction": (
+            lambda x, z, mean, ignored, cov: (
+                rmse(mean[x[:, 0] > 0, 0], x[x[:, 0] > 0, 0]),
+                rmse(mean[x[:, 0] > 0, 0], ignored[x[:, 0] > 0, 0]),
+                np.sqrt(cov[x[:, 0] > 0][-1, 1, 1]),
+            ),
+            "The second number compares the filter with the prediction. Compare the prediction with the truth.",
+        ),
+        "velocity error": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, states=1),
+            "Those are the errors of the velocity; the height was asked for, column 0.",
+        ),
+        "the filter's height": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, mean[:, 0] > 0),
+            "You keep the moments at which the *filter* says that the stone is above 0. Which moments count is decided by the truth, x.",
+        ),
+        "the reading above": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, z[:, 0] > 0),
+            "You keep the moments at which the *reading* is above 0. Which moments count is decided by the truth, x.",
+        ),
+        "mean of the sizes": (
+            lambda x, z, mean, ignored, cov: (
+                *(np.mean(abs(way - x)[x[:, 0] > 0, 0]) for way in (mean, ignored)),
+                compared(x, mean, ignored, cov, x[:, 0] > 0)[2],
+            ),
+            "Those are means of the sizes of the errors. Root mean square: square, mean, root; `rmse` does it.",
+        ),
+        "mean of the errors": (
+            lambda x, z, mean, ignored, cov: (
+                *(np.mean((way - x)[x[:, 0] > 0, 0]) for way in (mean, ignored)),
+                compared(x, mean, ignored, cov, x[:, 0] > 0)[2],
+            ),
+            "Those are mean errors, in which plus and minus cancel. Root mean square: square, mean, root; `rmse` does it.",
+        ),
+        "the first moment": (
+            lambda x, z, mean, ignored, cov: (
+                *compared(x, mean, ignored, cov, x[:, 0] > 0)[:2],
+                np.sqrt(cov[x[:, 0] > 0][0, 1, 1]),
+            ),
+            "The errors are right. But σ is that of the first moment above; asked is the last.",
+        ),
+        "raw, not cut": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov),
+            "Two faults remain: you still count underground, and you compare with the raw readings and not with `ignored`. The σ is of the right entry.",
+        ),
+        "raw, height": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, z, cov, x[:, 0] > 0, entry=0),
+            "The moments are right. Compare with `ignored` and not with the readings; and the velocity's entry is [1, 1].",
+        ),
+        "variance of the height": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, x[:, 0] > 0, entry=0, root=lambda v: v),
+            "The errors are right. The third number is the height's variance: σ of the velocity is the root of entry [1, 1].",
+        ),
+        "not cut, variance": (
+            lambda x, z, mean, ignored, cov: compared(x, mean, ignored, cov, root=lambda v: v),
+            "You still count underground; and the third number is a variance: σ is its root.",
+        ),
+    },
+}

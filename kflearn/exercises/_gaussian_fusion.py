@@ -1,0 +1,282 @@
+"""Wrong answers to exercises of lesson 4, each with the sentence that it gets."""
+
+import math
+
+
+def far_off():
+    """What σ so many readings would give."""
+    for_each = {n: 1 / math.sqrt(1 / 5 + n) for n in range(1, 31) if n not in (3, 4, 10, 11, 12)}
+    verdict = {True: "more than is allowed", False: "good enough, but fewer would do"}
+    return {str(n): (n, f"With {n} readings σ is {s:.2f} m: {verdict[s > 0.3]}.") for n, s in for_each.items()}
+
+
+WRONG = {
+    "third_opinion": {
+        "σ for σ²": (
+            lambda: 61.6667 + 0.8333 / (0.8333 + 2) * (63 - 61.6667),
+            "You weighed with σ = 2 m. (12) takes variances: the satellite's is 2² = 4 m², and 0.8333 m² is one already.",
+        ),
+        "1 − K": (
+            lambda: 61.6667 + 4 / (0.8333 + 4) * (63 - 61.6667),
+            "You gave the satellite the prediction's weight: K has the prediction's variance on top, K = 0.8333 / (0.8333 + 4).",
+        ),
+        "halfway": (
+            lambda: (61.6667 + 63) / 2,
+            "That is the plain average. The satellite (variance 4) knows less than the fused cart (variance 0.83) and must count less.",
+        ),
+        "old prediction": (
+            lambda: 60 + 5 / 9 * 3,
+            "61.67 m is where the cart was believed to be before the satellite. (Who fuses the satellite with N(60, 5), without the tape, gets the same number by chance.) Which way does 63 m pull it, and how far?",
+        ),
+        "satellite alone": (
+            63,
+            "63 m is the satellite alone. The 61.6667 m were worth more than it, as their variance is smaller.",
+        ),
+        "wrong sign": (
+            lambda: 61.6667 - 0.8333 / (0.8333 + 4) * (63 - 61.6667),
+            "The size of the step is right, but you went away from the satellite: 63 lies above 61.6667.",
+        ),
+        "variance": (lambda: 0.8333 * 4 / (0.8333 + 4), "That is the fused variance, in m². The mean was asked for."),
+        "K": (lambda: 0.8333 / (0.8333 + 4), "That is the gain K. Go on: 61.6667 plus K times the way to 63."),
+        "tape and satellite": (
+            62.2,
+            "You fused the tape N(62, 1) with the satellite. The prediction has been forgotten: begin with N(61.6667, 0.8333).",
+        ),
+        "1 − K itself": (
+            lambda: 4 / (0.8333 + 4),
+            "That is 1 − K. Form K, and then 61.6667 plus K times the way to 63.",
+        ),
+        "with the old prediction": (
+            61.5,
+            "61.5 m is halfway between 60 and 63 m. Begin with N(61.6667, 0.8333), which contains the tape, and weigh.",
+        ),
+        "tape and satellite halfway": (
+            62.5,
+            "62.5 m is halfway between the tape and the satellite. Begin with N(61.6667, 0.8333), and weigh.",
+        ),
+        "the step": (lambda: 0.8333 / (0.8333 + 4) * (63 - 61.6667), "That is the step alone. Add it to 61.6667 m."),
+        "prediction": (60, "60 m was the prediction before the tape was read. Begin with N(61.6667, 0.8333)."),
+        "mean and variance": (lambda: (61.8966, 0.6897), "Both are right. Give the mean alone: one number."),
+    },
+    "fuse": {
+        "weights swapped": (
+            lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
+            "Your variance is right, but the mean has 1 − K in place of K: the vaguer the prediction, the further you must walk.",
+        ),
+        "σ for σ²": (
+            lambda mx, vx, mz, vz: (
+                mx + math.sqrt(vx) / (math.sqrt(vx) + math.sqrt(vz)) * (mz - mx),
+                vx * vz / (vx + vz),
+            ),
+            "You weighed with standard deviations; (12) wants the variances themselves.",
+        ),
+        "variances added": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vx + vz),
+            "You added the variances. That is what a prediction does; a measurement makes the variance smaller: σx²(1 − K).",
+        ),
+        "variance not reduced": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vx),
+            "The mean is right, but the variance is still the prediction's: (14) multiplies it by 1 − K.",
+        ),
+        "K times the variance": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
+            "The mean is right, but you kept the part K of the variance; what remains is the part 1 − K.",
+        ),
+        "innovation backwards": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mx - mz), vx * vz / (vx + vz)),
+            "Your innovation has the wrong sign: measured minus expected, mean_z − mean_x, or you walk away from the tape.",
+        ),
+        "plain average": (
+            lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),
+            "The variance is right, but the mean is the plain average: weigh with K.",
+        ),
+        "standard deviation returned": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), math.sqrt(vx * vz / (vx + vz))),
+            "The mean is right; the second number is a standard deviation, and a variance was asked for.",
+        ),
+        "K swapped in both": (
+            lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
+            "Your K has var_z on top: that is 1 − K. In (12) the prediction's variance stands on top, as a vague prediction must give way.",
+        ),
+        "σ in K, everywhere": (
+            lambda mx, vx, mz, vz: (
+                mx + math.sqrt(vx) / (math.sqrt(vx) + math.sqrt(vz)) * (mz - mx),
+                vx * math.sqrt(vz) / (math.sqrt(vx) + math.sqrt(vz)),
+            ),
+            "You formed K from standard deviations; (12) wants the variances themselves.",
+        ),
+        "the tape's variance times 1 − K": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vz * vz / (vx + vz)),
+            "The mean is right. In (14) it is the prediction's variance that is multiplied by 1 − K, not the tape's.",
+        ),
+        "precision": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), 1 / vx + 1 / vz),
+            "The mean is right. Your second number is the sum of the precisions, in 1/m². Turn it over: 1 divided by it is the variance.",
+        ),
+        "K z added": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * mz, vx * vz / (vx + vz)),
+            "The variance is right. To the mean you added a part of mean_z itself: add a part of the difference, mean_z − mean_x.",
+        ),
+        "only the step": (
+            lambda mx, vx, mz, vz: (vx / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
+            "The variance is right. The first number is the step alone: add it to mean_x.",
+        ),
+        "variances averaged": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), (vx + vz) / 2),
+            "The mean is right. The variance is not the average of the two: it is smaller than each of them.",
+        ),
+        "variance squared": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vx * (1 - vx / (vx + vz)) ** 2),
+            "The mean is right. In (14) the factor 1 − K stands once, not squared: the tape's own error adds the rest.",
+        ),
+        "averages of both": (
+            lambda mx, vx, mz, vz: ((mx + mz) / 2, (vx + vz) / 2),
+            "You took plain averages. Weigh with K, so that the less certain opinion counts less.",
+        ),
+        "K returned": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vx / (vx + vz)),
+            "The mean is right. The second number is K itself; the variance is var_x times 1 − K.",
+        ),
+        "1 − K returned": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vz / (vx + vz)),
+            "The mean is right. The second number is 1 − K; multiply var_x by it.",
+        ),
+        "ratio for K": (
+            lambda mx, vx, mz, vz: (mx + vx / vz * (mz - mx), vx * (1 - vx / vz)),
+            "Your K is a ratio of the two variances. It is a part of their sum: var_x / (var_x + var_z).",
+        ),
+        "squares": (
+            lambda mx, vx, mz, vz: (mx + vx**2 / (vx**2 + vz**2) * (mz - mx), vx * (1 - vx**2 / (vx**2 + vz**2))),
+            "You squared the variances. They are squares already: use them as they are.",
+        ),
+        "squares, variance right": (
+            lambda mx, vx, mz, vz: (mx + vx**2 / (vx**2 + vz**2) * (mz - mx), vx * vz / (vx + vz)),
+            "In K you squared the variances. They are squares already: use them as they are.",
+        ),
+        "no brackets": (
+            lambda mx, vx, mz, vz: (mx + vx / vx + vz * (mz - mx), vx * vz / (vx + vz)),
+            "Brackets are missing: var_x / (var_x + var_z), or Python divides first and adds afterwards.",
+        ),
+        "product": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vx * vz),
+            "The mean is right. The product of the variances is in m⁴: divide it by their sum.",
+        ),
+        "σ times 1 − K": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), math.sqrt(vx) * (1 - vx / (vx + vz))),
+            "The mean is right. In (14) it is the variance that is multiplied by 1 − K, not its root.",
+        ),
+    },
+    "readings_needed": {
+        "0.3 taken as a variance": (
+            4,
+            "Four readings bring the *variance* below 0.3 m². The question says σ below 0.3 m: a variance below 0.09 m².",
+        ),
+        "prediction forgotten": (
+            12,
+            "Twelve readings are enough, but fewer will do. The prediction brings a precision of 1/5, to be taken away from 1/0.09. (5 m² is a variance already: it is not squared.)",
+        ),
+        "rounded down": (10, "With 10 readings σ is 0.313 m: not yet below 0.3 m. Round up."),
+        "not rounded": (
+            lambda: 1 / 0.09 - 0.2,
+            "The calculation is right, but you can only read the tape a whole number of times.",
+        ),
+        **far_off(),
+        "variance, rounded down": (
+            3,
+            "With 3 readings σ is 0.56 m. Did you set 0.3 in place of 0.3²? The precision that is wanted is 1/0.09.",
+        ),
+        "not rounded, prediction forgotten": (
+            lambda: 1 / 0.09,
+            "1/0.09 is the precision that is wanted. The prediction brings a part of it, and readings come in whole numbers.",
+        ),
+        "5/0.09": (lambda: 5 / 0.09, "You divided the variances. With every reading *precisions* add: 1/5 + n."),
+        "variance, not rounded": (
+            lambda: 1 / 0.3 - 1 / 5,
+            "You set 0.3 in place of 0.3²: a variance below 0.09 m² is wanted, a precision of 1/0.09. And readings come in whole numbers.",
+        ),
+        "1/σ": (
+            lambda: 1 / 0.3,
+            "You took 1/σ. Precision is 1/σ², and the prediction brings a part of what is wanted.",
+        ),
+        "5/0.09, rounded up": (56, "You divided the variances. With every reading *precisions* add: 1/5 + n."),
+        "σ": (0.3, "0.3 m is the σ that is wanted. How many readings bring it about?"),
+        "hundred": (100, "100 readings give σ = 0.1 m: far fewer are enough."),
+    },
+    "published_claim": {
+        "as published": (
+            lambda mx, vx, mz, vz: (mx, vz),
+            "That is still the published sentence: mean of the prediction, variance of the tape. The tape has not moved the mean at all.",
+        ),
+        "only the mean mended": (
+            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vz),
+            "The mean is mended. The second fault remains: σz² is what the tape's own error is worth, before the prediction helped it.",
+        ),
+        "only the variance mended": (
+            lambda mx, vx, mz, vz: (mx, vx * vz / (vx + vz)),
+            "The variance is mended. The first fault remains: μx is where the prediction was, before the tape was read.",
+        ),
+        "the tape alone": (
+            lambda mx, vx, mz, vz: (mz, vz),
+            "N(μz, σz²) is the tape alone: now the prediction is ignored.",
+        ),
+        "weights exchanged": (
+            lambda mx, vx, mz, vz: ((mx * vx + mz * vz) / (vx + vz), vx * vz / (vx + vz)),
+            "The variance is right. In the mean the weights are exchanged: each opinion is multiplied by the variance of the *other* one.",
+        ),
+        "variances added": (
+            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx + vz),
+            "The mean is right. You added the variances; when two opinions are fused it is the precisions that add.",
+        ),
+        "the prediction's variance": (
+            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx),
+            "The mean is right. Your variance is the prediction's, from before the tape was read.",
+        ),
+        "averages": (
+            lambda mx, vx, mz, vz: ((mx + mz) / 2, (vx + vz) / 2),
+            "You took plain averages of both. The article's formulas weigh: the less certain opinion counts less.",
+        ),
+        "plain mean": (
+            lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),
+            "The variance is right. The mean is the plain average: weigh each opinion by the variance of the other one.",
+        ),
+        "variances averaged": (
+            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), (vx + vz) / 2),
+            "The mean is right. The variance is no average of the two: it is smaller than each of them.",
+        ),
+        "1 − K": (
+            lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
+            "Your K is 1 − K: in (12) the prediction's variance stands on top.",
+        ),
+        "precision": (
+            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), 1 / vx + 1 / vz),
+            "The mean is right. Your second number is a precision: 1 divided by it is the variance.",
+        ),
+        "the prediction": (
+            lambda mx, vx, mz, vz: (mx, vx),
+            "That is the prediction alone, as if the tape had not been read.",
+        ),
+        "the tape's mean": (
+            lambda mx, vx, mz, vz: (mz, vx * vz / (vx + vz)),
+            "The variance is right. The mean is the tape's alone: the prediction pulls it back a part of the way.",
+        ),
+        "not divided": (
+            lambda mx, vx, mz, vz: (mx * vz + mz * vx, vx * vz),
+            "Both lack a division by the sum of the variances.",
+        ),
+        "product": (
+            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx * vz),
+            "The mean is right. The product of the variances is in m⁴: divide it by their sum.",
+        ),
+        "σ as weights": (
+            lambda mx, vx, mz, vz: (
+                (mx * math.sqrt(vz) + mz * math.sqrt(vx)) / (math.sqrt(vx) + math.sqrt(vz)),
+                vx * vz / (vx + vz),
+            ),
+            "The variance is right. In the mean you weighed with standard deviations; the formulas take variances.",
+        ),
+        "wrong sign": (
+            lambda mx, vx, mz, vz: (mx - vx / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
+            "The variance is right. The mean walks away from the tape: measured minus expected, mean_z − mean_x.",
+        ),
+    },
+}

@@ -1,0 +1,270 @@
+"""The kinds of exercises, made by the decorator `exercise`: a value, a choice, a function."""
+
+import copy
+import inspect
+
+import numpy as np
+
+from kflearn.exercises import _rules, progress
+from kflearn.exercises._answers import arity_fault, chosen, fault, listed, show, told, unfinished
+from kflearn.exercises._messages import Message, Outcome
+from kflearn.exercises._solutions import for_a_cell
+from kflearn.exercises._watch import Printed, watched
+
+TRIALS = 20  # random inputs on which a function is tried
+
+
+class Exercise:
+    """A question with `check(answer)`, `hint()` and `solution()`; made by the decorator `exercise`.
+
+    Attributes
+    ----------
+    name, module, question : str
+        The solution's name, where it is defined, and its docstring.
+    hints : list of str
+    wrong : dict
+        {label: (wrong answer, sentence)}
+    unit : str
+    rtol, atol : float
+    """
+
+    subject, wanted = "your answer", "numbers"
+
+    def __init__(self, solution, hints, wrong, unit, rtol, atol, then):
+        self.name, self.module, self.question = solution.__name__, solution.__module__, inspect.getdoc(solution) or ""
+        self.hints, self.wrong, self.unit, self.rtol, self.atol = list(hints), {}, unit, rtol, atol
+        self.only_if = {label: words for label, (_, _, *some) in wrong.items() for words in some}
+        self.wrong = {label: (answer, sentence) for label, (answer, sentence, *_) in wrong.items()}
+        self.then, self._solve, self._hints_given, self._last = then, solution, 0, None
+
+    def __repr__(self):
+        return f"{self.name}: {self.question}"
+
+    def __dir__(self):
+        return ["check", "hint", "solution"]  # what the Tab key offers a learner
+
+    def check(self, answer=...) -> Outcome:
+        """Compare an answer with the right one. Whatever is handed in, the outcome explains it; nothing is raised."""
+        printed = Printed()
+        try:
+            with watched(printed):
+                if unfinished(answer):
+                    return Outcome("not attempted", "Put your answer in place of `...` and run the cell again.")
+                self._last = answer
+                outcome = self._judge(answer, printed)
+        except KeyboardInterrupt:  # the learner stops their own endless loop
+            raise
+        except BaseException:  # an object that fights back when it is looked at
+            outcome = Outcome("wrong", f"{self.subject} cannot be read as {self.wanted}.")
+        if printed.text():
+            print(printed.text(), end="")
+        if outcome.status == "right":
+            progress.note(self.module, self.name)
+            if progress.in_notebook() and progress.place() is None:
+                outcome = Outcome("right", f"{outcome.sentence} {progress.NOT_KEPT}")
+        return outcome
+
+    def hint(self, number=None) -> Message:
+        """The next hint, each stronger than the last; or hint `number`, counted from 1."""
+        if number is None:
+            self._hints_given += 1
+            number = self._hints_given
+        if number in range(1, len(self.hints) + 1):
+            hint = self.hints[number - 1]
+            return Message(f"Hint {number} of {len(self.hints)}. {hint(self._last) if callable(hint) else hint}")
+        return Message(f"There are {len(self.hints)} hints; after the last, `{self.name}.solution()` shows the answer.")
+
+    def solution(self) -> Message:
+        """The solution as it can be run in the lesson: with what it imports, and handed to `check`."""
+        code = for_a_cell(self._solve, self.name)
+        return Message(code, f"```python\n{code}\n```")
+
+    def _right(self, sentence):
+        """The outcome of a right answer."""
+        return Outcome("right", f"{sentence} {self.then}".rstrip())
+
+    def _compare(self, answer, right, reveal=False):
+        """What tells an answer from another one, in a sentence; None if nothing does."""
+        return fault(answer, right, self.subject, self.rtol, self.atol, reveal)
+
+
+class ValueExercise(Exercise):
+    """The learner hands in a number, an array, a Gaussian or a tuple of these."""
+
+    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, right, also=()):
+        super().__init__(solution, hints, wrong, unit, 2e-3 if rtol is None else rtol, atol, then)
+        self.right, self.also = right, list(also)
+        self.subject = f"your answer (in {unit})" if unit else "your answer"
+        self.wrong = {label: (value() if callable(value) else value, text) for label, (value, text) in wrong.items()}
+        known = {"right answer": right} | {f"right answer {value}": value for value in self.also}
+        for label, (value, _) in self.wrong.items():
+            twin = next((other for other in known if self._compare(value, known[other]) is None), None)
+            if twin:
+                raise ValueError(f"{self.name}: the wrong answer {label!r} cannot be told from the {twin!r}")
+            known[label] = value
+
+    def _compare(self, answer, right, reveal=False):
+        return fault(answer, right, self.subject, self.rtol, self.atol, reveal, by_hand=True)
+
+    def _judge(self, answer, printed):
+        """The outcome for an answer: the sentence of a wrong one in the table, or what is wrong with it."""
+        complaint = self._compare(answer, self.right)
+        if complaint is None or any(self._compare(answer, other) is None for other in self.also):
+            return self._right(self._confirmation())
+        lessons = [sentence for value, sentence in self.wrong.values() if self._compare(answer, value) is None]
+        named = None if lessons or "should" in complaint else self._rule(answer)
+        return Outcome("wrong", lessons[0] if lessons else named or complaint)
+
+    def _rule(self, answer):
+        """What a rule says of the answer; None where no rule does."""
+        close = lambda one, other: ValueExercise._compare(self, one, other) is None  # noqa: E731
+        named = _rules.sentence([answer], [self.right], close)
+        return named and named.replace("The result", self.subject).replace("of the result", f"of {self.subject}")
+
+    def _confirmation(self):
+        """What is said to a right answer."""
+        return f"The answer is {show(self.right)} {self.unit}".rstrip() + "."
+
+    def _answer(self):
+        """The right answer, for tests."""
+        return self.right
+
+
+class ChoiceExercise(ValueExercise):
+    """The learner chooses: a letter or word, True or False, or the lines that hold a fault.
+
+    The choices are the right answer and those in the table of wrong ones, so every wrong choice gets its sentence.
+    """
+
+    wanted = "a choice"
+
+    def __init__(self, *settings):
+        super().__init__(*settings)
+        if not self.wrong:
+            raise ValueError(f"{self.name}: a choice needs its wrong choices, each with a sentence")
+
+    @property
+    def choices(self) -> frozenset:
+        """The right choices and the wrong ones."""
+        return frozenset().union(*map(chosen, (self.right, *(value for value, _ in self.wrong.values()))))
+
+    @property
+    def lines(self) -> bool:
+        """Whether lines of a program are chosen."""
+        return all(choice.isdigit() for choice in chosen(self.right))
+
+    def _compare(self, answer, right, reveal=False):
+        try:
+            given, right = chosen(answer, self.choices), chosen(right, self.choices)
+        except (TypeError, ValueError, OverflowError):
+            given = frozenset()
+        if given == right:
+            return None
+        if self.lines and not all(map(str.isdigit, given or {""})):
+            return "give the number of the line, or a list of them."
+        if not given or not (self.lines or given <= self.choices):
+            return f"choose from {self._listed(self.choices)}."
+        if len(given) > 1 and len(chosen(self.right)) == 1 and not self.lines:
+            return "choose one, please."
+        if len(given) > max(3, len(self.choices) // 2):
+            return "these are too many: choose."
+        if stray := given - right:
+            return f"the fault is not in line {listed(stray)}." if self.lines else f"it is not {self._listed(stray)}."
+        return "that is a part of the answer, but there is more to it."
+
+    def _rule(self, answer):
+        """No rule speaks of choices."""
+        return
+
+    def _listed(self, choices):
+        """Choices in order, with their letters as they were written."""
+        texts = [text for value in (self.right, *(value for value, _ in self.wrong.values())) for text in _texts(value)]
+        return listed(choices, {text.casefold(): text for text in texts if len(text) > 1})
+
+    def _confirmation(self):
+        return f"The {'fault is in line' if self.lines else 'answer is'} {self._listed(chosen(self.right))}."
+
+
+def _texts(value):
+    """The names of choices as they were written."""
+    some = [value] if isinstance(value, str) else value if isinstance(value, (set, frozenset, list, tuple)) else []
+    return [part for part in some if isinstance(part, str)]
+
+
+class FunctionExercise(Exercise):
+    """The learner hands in a function; it is compared with the solution on random inputs, the same ones every time."""
+
+    subject = "the result"
+
+    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, inputs, fixed):
+        super().__init__(solution, hints, wrong, unit, 1e-6 if rtol is None else rtol, atol, then)
+        if not callable(inputs):
+            raise ValueError(f"{self.name}: the solution has parameters, so inputs= must be a function of a Generator")
+        rng = np.random.default_rng(20)
+        self.cases = [inputs(rng) for _ in range(TRIALS)]
+        self.parameters, self.fixed = list(inspect.signature(solution).parameters), fixed
+        if any(not isinstance(case, tuple) or arity_fault(solution, case) for case in self.cases):
+            raise ValueError(f"{self.name}: inputs= must return a tuple with one value for each of {self.parameters}")
+
+    def _judge(self, answer, printed):
+        """The outcome for a function: the same, after trying it on all inputs."""
+        if not callable(answer):
+            return Outcome("wrong", "A function is wanted: hand in its name without parentheses, as in `check(name)`.")
+        if complaint := arity_fault(answer, self.cases[0]):
+            return Outcome("wrong", f"{complaint} ({', '.join(self.parameters)}).")
+        results = []
+        for number, case in enumerate(self.cases):
+            try:
+                results.append(answer(*copy.deepcopy(case)))
+            except KeyboardInterrupt:
+                raise
+            except BaseException as error:
+                known = number >= 3 and self._lesson(answer, results)  # a known mistake, until the sizes do not fit
+                return Outcome("wrong", known) if known else Outcome(*told(error, answer, self._called(case)))
+            if number == 0:
+                printed.close_after_first(len(self.cases))
+        if all(map(unfinished, results)):
+            return Outcome(
+                "not attempted", "Your function returns nothing yet. If it is written, is its `return` missing?"
+            )
+        rights = [self._solve(*copy.deepcopy(case)) for case in self.cases]
+        faults = [self._compare(*pair, reveal=True) for pair in zip(results, rights, strict=True)]
+        if not any(faults):
+            return self._right(f"Your function agrees with the solution on {len(self.cases)} random inputs.")
+        return Outcome("wrong", self._lesson(answer, results) or self._explained(answer, results, rights, faults))
+
+    def _called(self, case):
+        """A trial in words."""
+        return ", ".join(f"{name} = {show(value)}" for name, value in zip(self.parameters, case, strict=False))
+
+    def _lesson(self, answer, results):
+        """The sentence of the wrong function in the table that gives the same results, as far as there are results."""
+        for label, (wrong, sentence) in self.wrong.items():
+            same = all(self._gives(wrong, *pair) for pair in zip(self.cases, results, strict=False))
+            if same and (label not in self.only_if or _rules.source_has(answer, self.only_if[label])):
+                return sentence
+        return None
+
+    def _gives(self, wrong, case, result):
+        """Whether a wrong function gives this result; not every one can be called with all sizes."""
+        try:
+            return self._compare(result, wrong(*copy.deepcopy(case))) is None
+        except (ValueError, IndexError, np.linalg.LinAlgError):
+            return False
+
+    def _explained(self, answer, results, rights, faults):
+        """What a rule says of the results, or else the first trial that fails, beside what was expected."""
+        close = lambda one, other: fault(one, other, "", self.rtol, self.atol, False) is None  # noqa: E731
+        if named := _rules.sentence(results, rights, close):
+            return named
+        first = next(i for i, complaint in enumerate(faults) if complaint)
+        words = f"for `{self._called(self.cases[first])}` {faults[first]}"
+        if name := _rules.unused(answer, self._solve, self.cases, self.parameters, close):
+            instead = "a number, or a name of the notebook, stands in its place, or it is left out"
+            return f"The result does not depend on {name}: {instead}. {words[0].upper()}{words[1:]}"
+        share = _rules.share([not complaint for complaint in faults], self.cases)
+        return f"{words} {share}".rstrip()
+
+    def _answer(self):
+        """The right answer, for tests."""
+        return self._solve

@@ -1,0 +1,167 @@
+"""What is wrong with a result, where the mistake is one that learners make in every exercise: a root for a square, two
+results in the wrong order, rounding inside the function, an argument that was not used.
+
+The exercises' own sentences come first. A rule speaks only where it explains all trials.
+"""
+
+import copy
+import inspect
+from itertools import pairwise
+
+import numpy as np
+
+from kflearn.exercises._answers import parts
+
+# What each rule makes of the right result, and what is said of an answer that is equal to that
+TRANSFORMS = [
+    (lambda r: np.sqrt(r), "is the square root of what is wanted: a σ in place of a variance?"),
+    (lambda r: r**2, "is the square of what is wanted: a variance in place of a σ?"),
+    (lambda r: 1 - r, "is 1 minus what is wanted: the other part of the whole."),
+    (lambda r: 1 / r, "is 1 divided by what is wanted."),
+    (lambda r: 2 * r, "is twice what is wanted."),
+    (lambda r: r / 2, "is half of what is wanted."),
+    (lambda r: -r, "has the opposite sign."),
+    (lambda r: np.degrees(r), "is in degrees; radians are wanted."),
+    (lambda r: np.radians(r), "is in radians; degrees are wanted."),
+    (lambda r: 100 * r, "is 100 times too large: in per cent, or in centimetres?"),
+    (lambda r: r / 100, "is 100 times too small: metres for centimetres, or a share for per cent?"),
+    (lambda r: r.T if r.ndim == 2 else np.nan, "is the transpose of what is wanted."),
+    (lambda r: np.eye(len(r)) - r if r.ndim == 2 and len(r) == len(r.T) else np.nan, "is I minus what is wanted."),
+]  # fmt: skip
+
+
+def sentence(results, rights, close) -> str | None:
+    """What explains all results at once; None where no rule does.
+
+    Parameters
+    ----------
+    results, rights : list
+        What the learner's function returned in each trial, and what was wanted.
+    close : function(one, other)
+        Whether two numbers or arrays are equal within the exercise's tolerances.
+    """
+    names = list(parts(rights[0]))
+    if not names:
+        words = _relation(results, rights, close)
+        return words and f"The result {words}"
+    rows = [_row(result, len(names)) for result in results]
+    if any(row is None for row in rows):
+        return None
+    wanted = [list(parts(right).values()) for right in rights]
+    pairs = list(zip(rows, wanted, strict=True))
+    if all(close(one, other) for row, right in pairs for one, other in zip(row, reversed(right), strict=True)):
+        return f"The results are right, but in the wrong order: first {names[0]}, as the text says."
+    told = {}
+    for i, name in enumerate(names):
+        mine, theirs = [row[i] for row in rows], [right[i] for right in wanted]
+        if not all(map(close, mine, theirs)):
+            told[name] = _relation(mine, theirs, close)
+    if not told or None in told.values():
+        return None
+    others = "The rest is right. " if len(told) < len(names) else ""
+    return others + " ".join(f"{name[0].upper()}{name[1:]} of the result {words}" for name, words in told.items())
+
+
+def _row(result, count):
+    """The parts of a result with so many parts, as a list; None where it has another number."""
+    found = list(result) if isinstance(result, (list, tuple)) else list(parts(result).values())
+    return found if len(found) == count else None
+
+
+def _relation(results, rights, close):
+    """What all results are of what was wanted, in words; None where they are nothing that has a name."""
+    pairs = [(np.asarray(one), np.asarray(other)) for one, other in zip(results, rights, strict=True)]
+    if any(one.shape != other.shape or one.dtype.kind not in "iuf" for one, other in pairs):
+        return None
+    with np.errstate(all="ignore"):
+        found = [
+            words for change, words in TRANSFORMS if all(_equal(close, one, change(right)) for one, right in pairs)
+        ]
+    return found[0] if len(found) == 1 else _rounded(pairs) if not found and len(pairs) > 1 else None
+
+
+def _equal(close, one, other):
+    """Equal, where the relation makes a finite number of what was wanted."""
+    return bool(np.isfinite(other).all()) and close(one, other)
+
+
+def _rounded(pairs):
+    """Rounded or cut off inside the function."""
+    for digits in range(5):
+        if all((np.round(right, digits) == result).all() for result, right in pairs):
+            return f"is rounded to {digits} digits after the point: return all of them, and round only what you print."
+    if all((np.floor(right) == result).all() for result, right in pairs):
+        return "lacks its digits after the point: `//` and `int` cut them off, and so does an array of whole numbers."
+    return None
+
+
+def unused(function, solve, cases, names, close) -> str | None:
+    """The name of an argument on which the function's result does not depend, though it should; None if there is none.
+
+    Each argument is put in from another trial, where that trial's arguments have the same shapes.
+    """
+    for i, name in enumerate(names):
+        seen, needed = 0, 0
+        for case, other in pairwise(cases):
+            if _shapes(case) != _shapes(other):
+                continue
+            mixed = (*case[:i], other[i], *case[i + 1 :])
+            try:
+                wanted = not _same(solve, case, mixed, close)
+                if wanted and not _same(function, case, mixed, close):
+                    seen += 1
+                needed += wanted
+            except Exception:
+                continue
+        if needed >= 2 and not seen:
+            return name
+    return None
+
+
+def _shapes(case):
+    return [np.shape(part) for part in case]
+
+
+def _same(function, case, other, close):
+    one, two = function(*copy.deepcopy(case)), function(*copy.deepcopy(other))
+    rows = [list(parts(result).values()) or [result] for result in (one, two)]
+    return all(close(a, b) for a, b in zip(*rows, strict=True))
+
+
+def share(good, cases) -> str:
+    """In how many trials the function is right, and what sets those apart in which it is not; else an empty string."""
+    if not any(good) or all(good):
+        return ""
+    count = f"It is right in {sum(good)} of {len(good)} trials"
+    for words, has in TRAITS.items():
+        holds = [has(case, cases[0]) for case in cases]
+        if holds == [not one for one in good]:
+            return f"{count}; {words}."
+    return f"{count}."
+
+
+TRAITS = {
+    "those that fail have a NaN": lambda case, first: any(_nan(part) for part in case),
+    "those that fail have a negative number": lambda case, first: any((_flat(part) < 0).any() for part in case),
+    "those that fail have another size than the first trial": lambda case, first: _shapes(case) != _shapes(first),
+    "those that fail have a zero": lambda case, first: any((_flat(part) == 0).any() for part in case),
+}
+
+
+def _flat(part):
+    try:
+        return np.ravel(np.asarray(part, float))
+    except (TypeError, ValueError):
+        return np.zeros(0) + np.inf
+
+
+def _nan(part):
+    return np.isnan(_flat(part)).any()
+
+
+def source_has(function, words) -> bool:
+    """Whether a function's source holds some words, as far as it can be read."""
+    try:
+        return words in inspect.getsource(function)
+    except (OSError, TypeError):
+        return True  # it cannot be read: nothing speaks against it

@@ -1,0 +1,263 @@
+"""Wrong answers to exercises of lesson 21, each with the sentence that it gets."""
+
+import numpy as np
+
+
+def rts(x, P, F, Q, x_next, P_next, gain=None, sign=-1):
+    """The step back, with a gain that may be wrong."""
+    P_pred = F @ P @ F.T + Q
+    G = P @ F.T @ np.linalg.inv(P_pred) if gain is None else gain(P, F, P_pred)
+    return x + G @ (x_next - F @ x), P + G @ (P_next + sign * P_pred) @ G.T
+
+
+def step(gain=None, compared=None, change=None):
+    """The step back with one part of it exchanged."""
+
+    def wrong(x, P, F, Q, x_next, P_next):
+        P_pred = F @ P @ F.T + Q
+        G = gain(P, F, P_pred) if gain else P @ F.T @ np.linalg.inv(P_pred)
+        news = compared(x, F, x_next) if compared else x_next - F @ x
+        less = change(P, P_next, P_pred) if change else P_next - P_pred
+        return x + G @ news, P + G @ less @ G.T
+
+    return wrong
+
+
+def without_Q(x, P, F, Q, x_next, P_next):
+    G = P @ F.T @ np.linalg.inv(F @ P @ F.T)
+    return x + G @ (x_next - F @ x), P + G @ (P_next - F @ P @ F.T) @ G.T
+
+
+def one_sided(x, P, F, Q, x_next, P_next):
+    P_pred = F @ P @ F.T + Q
+    G = P @ F.T @ np.linalg.inv(P_pred)
+    return x + G @ (x_next - F @ x), P + G @ (P_next - P_pred)
+
+
+def filtered_not_predicted(x, P, F, Q, x_next, P_next):
+    G = P @ F.T @ np.linalg.inv(F @ P @ F.T + Q)
+    return x + G @ (x_next - x), P + G @ (P_next - P) @ G.T
+
+
+def meet(x, P, x_back, P_back, z, R, taken=1.0):
+    """Both beliefs, and z with its weight taken out `taken` times."""
+    information = 1 / P + 1 / P_back - taken / R
+    return (x / P + x_back / P_back - taken * z / R) / information, 1 / information
+
+
+WRONG = {}
+
+WRONG["step_back"] = {
+    "Q forgotten": (
+        without_Q,
+        "You left Q out of the prediction. Then all that was wrong at k+1 was wrong at k already, and the filter's "
+        "own knowledge of step k is thrown away. P⁻ = F P Fᵀ + Q.",
+    ),
+    "F for its transpose": (
+        lambda *given: rts(*given, gain=lambda P, F, P_pred: P @ F @ np.linalg.inv(P_pred)),
+        "Your gain begins with P F. The covariance of now and next is P Fᵀ.",
+    ),
+    "gain transposed": (
+        lambda *given: rts(*given, gain=lambda P, F, P_pred: np.linalg.solve(P_pred, F @ P)),
+        "Your gain is transposed: `solve(P_pred, F @ P)` is Gᵀ. Put `.T` behind it.",
+    ),
+    "without F": (
+        lambda *given: rts(*given, gain=lambda P, F, P_pred: P @ np.linalg.inv(P_pred)),
+        "Your gain has no F. It is the covariance of now and next, P Fᵀ, that stands before (P⁻)⁻¹.",
+    ),
+    "sign": (
+        lambda *given: rts(*given, sign=1),
+        "The mean is right. In the covariance it is P_next minus P⁻: more knowledge makes it smaller.",
+    ),
+    "one side only": (
+        one_sided,
+        "The mean is right. In the covariance G stands on both sides: G (P_next − P⁻) Gᵀ. Yours is not symmetric.",
+    ),
+    "filtered, not predicted": (
+        filtered_not_predicted,
+        "You compared x_next with x. They belong to different moments: compare it with the prediction F x, P⁻.",
+    ),
+    "x in place of F x": (
+        step(compared=lambda x, F, x_next: x_next - x),
+        "The covariance is right. The mean compares x_next with x; they belong to different moments: compare it "
+        "with the prediction F x.",
+    ),
+    "difference turned": (
+        step(change=lambda P, P_next, P_pred: P_pred - P_next),
+        "The mean is right. In the covariance the difference is turned round: P_next minus P⁻, which makes it smaller.",
+    ),
+    "P in place of P⁻": (
+        step(change=lambda P, P_next, P_pred: P_next - P),
+        "The mean is right. In the covariance P_next is compared with P; compare it with the prediction's P⁻.",
+    ),
+    "mean turned": (
+        step(compared=lambda x, F, x_next: F @ x - x_next),
+        "The covariance is right. In the mean the difference is turned round: x_next minus F x.",
+    ),
+    "F for Fᵀ, on the left": (
+        step(gain=lambda P, F, P_pred: F @ P @ np.linalg.inv(P_pred)),
+        "Your gain begins with F P. The covariance of now and next is P Fᵀ.",
+    ),
+    "not inverted": (
+        step(gain=lambda P, F, P_pred: P @ F.T @ P_pred),
+        "Your gain is multiplied by P⁻. It is divided by it: P Fᵀ (P⁻)⁻¹.",
+    ),
+    "divided entry by entry": (
+        step(gain=lambda P, F, P_pred: P @ F.T / P_pred),
+        "You divided by P⁻ entry by entry. For matrices it is the inverse: `P @ F.T @ np.linalg.inv(P_pred)`.",
+    ),
+    "P as it was": (
+        step(change=lambda P, P_next, P_pred: 0 * P),
+        "The mean is right. The covariance is still the filter's: it changes by G (P_next − P⁻) Gᵀ.",
+    ),
+    "nothing done": (
+        lambda x, P, F, Q, x_next, P_next: (x_next, P_next),
+        "That is the belief about step k+1. Step k is asked for.",
+    ),
+    "prediction not subtracted": (
+        step(change=lambda P, P_next, P_pred: P_next),
+        "The mean is right. In the covariance P⁻ is missing: G (P_next − P⁻) Gᵀ.",
+    ),
+}
+
+WRONG["smoothed_cov"] = {
+    "as published": (
+        lambda P, P_back: P / 2,
+        "That is still the published idea: half, wherever in the record. P_back decides how much comes from behind.",
+    ),
+    "sum": (
+        lambda P, P_back: P + P_back,
+        "You added the covariances: two opinions would be worse than one. It is their inverses that add.",
+    ),
+    "mean": (
+        lambda P, P_back: (P + P_back) / 2,
+        "You averaged the covariances. The result must be smaller than either: add their inverses.",
+    ),
+    "outer inverse forgotten": (
+        lambda P, P_back: np.linalg.inv(P) + np.linalg.inv(P_back),
+        "That is the information, in 1/m². Invert it once more to have a covariance.",
+    ),
+    "inverse of the sum": (
+        lambda P, P_back: np.linalg.inv(P + P_back),
+        "You inverted the sum. It is the other way round: sum the inverses, then invert.",
+    ),
+    "entry by entry": (
+        lambda P, P_back: P * P_back / (P + P_back),
+        "Right for a single number. Entry by entry it forgets the tilt, which brought more than half of the gain.",
+    ),
+    "the smaller": (
+        lambda P, P_back: P if np.trace(P) < np.trace(P_back) else P_back,
+        "You took the better of the two. Both know something: fuse them.",
+    ),
+    "difference": (
+        lambda P, P_back: np.linalg.inv(np.linalg.inv(P) - np.linalg.inv(P_back)),
+        "You took information away. The readings behind add theirs.",
+    ),
+    "P on both sides": (
+        lambda P, P_back: P @ np.linalg.inv(P + P_back) @ P,
+        "That is what is taken off P. Either P minus this, or P_back in place of the last P.",
+    ),
+    "P_back on both sides": (
+        lambda P, P_back: P_back @ np.linalg.inv(P + P_back) @ P_back,
+        "That is what is taken off P_back. Either P_back minus this, or P in place of one of them.",
+    ),
+    "product": (
+        lambda P, P_back: P @ P_back,
+        "You multiplied the two, which gives m⁴. Between them stands the inverse of their sum.",
+    ),
+    "smaller entries": (
+        lambda P, P_back: np.minimum(P, P_back),
+        "You took the smaller entry of the two, place by place. Both filters know something: fuse them.",
+    ),
+    "matrix product, plain division": (
+        lambda P, P_back: P @ P_back / (P + P_back),
+        "You divided entry by entry. For matrices it is the inverse: `np.linalg.inv(P + P_back)`.",
+    ),
+    "half of the backward filter": (
+        lambda P, P_back: P_back / 2,
+        "Half again, now of the backward filter. Both decide: add their inverses.",
+    ),
+    "the forward filter's": (
+        lambda P, P_back: P,
+        "That is the forward filter's covariance. The readings behind it add their information.",
+    ),
+}
+
+WRONG["count_once"] = {
+    "as published": (
+        lambda *given: meet(*given, taken=0),
+        "Still as published: z sits in both beliefs and counts twice. Take 1/R out of the information, once.",
+    ),
+    "taken out twice": (
+        lambda *given: meet(*given, taken=2),
+        "Now z does not count at all: it is in there twice, and you took it out twice. Once is enough.",
+    ),
+    "added once more": (
+        lambda *given: meet(*given, taken=-1),
+        "You added z a third time. It is too often in there: subtract 1/R and z/R.",
+    ),
+    "variance only": (
+        lambda *given: (meet(*given, taken=0)[0], meet(*given)[1]),
+        "The variance is right. The mean still leans towards z: take z/R out of the weighted sum too.",
+    ),
+    "mean not renewed": (
+        lambda x, P, x_back, P_back, z, R: (
+            (x / P + x_back / P_back - z / R) / (1 / P + 1 / P_back),
+            1 / (1 / P + 1 / P_back - 1 / R),
+        ),
+        "The variance is right. Divide the weighted sum by the new information, with 1/R taken out.",
+    ),
+    "z not weighted": (
+        lambda x, P, x_back, P_back, z, R: (
+            (x / P + x_back / P_back - z) / (1 / P + 1 / P_back - 1 / R),
+            1 / (1 / P + 1 / P_back - 1 / R),
+        ),
+        "The variance is right. In the sum of the mean z carries the weight 1/R, like the others theirs: take out z/R.",
+    ),
+    "information": (
+        lambda *given: (meet(*given)[0], 1 / meet(*given)[1]),
+        "The mean is right. The second number is the information; its inverse is the variance.",
+    ),
+    "P + R": (
+        lambda x, P, x_back, P_back, z, R: meet(x, P, x_back, P_back + R, z, R, taken=0),
+        "Adding R to P_back does not undo a reading: it makes the belief vaguer, but its mean still leans on z.",
+    ),
+    "R taken off": (
+        lambda x, P, x_back, P_back, z, R: ((P_back * x + P * x_back) / (P + P_back), P * P_back / (P + P_back) - R),
+        "You took R off the variance. A reading is taken out of the information: 1/R off 1/P + 1/P_back.",
+    ),
+    "variance not mended": (
+        lambda *given: (meet(*given)[0], meet(*given, taken=0)[1]),
+        "The mean is right. The variance still counts z twice: take 1/R out of the information.",
+    ),
+    "not divided": (
+        lambda x, P, x_back, P_back, z, R: (x / P + x_back / P_back - z / R, 1 / (1 / P + 1 / P_back - 1 / R)),
+        "The variance is right. The mean is the weighted sum multiplied by this variance.",
+    ),
+    "half taken out": (
+        lambda *given: meet(*given, taken=0.5),
+        "You took out half of z. It is in both beliefs, so one whole of it is too much.",
+    ),
+    "only the weighted sum": (
+        lambda x, P, x_back, P_back, z, R: (
+            (x / P + x_back / P_back - z / R) / (1 / P + 1 / P_back),
+            1 / (1 / P + 1 / P_back),
+        ),
+        "You took z out of the weighted sum only. Take 1/R out of the information as well.",
+    ),
+    "plain sums": (
+        lambda x, P, x_back, P_back, z, R: (x + x_back - z, P + P_back - R),
+        "You added and subtracted the numbers themselves. Weigh each with its information: 1/P, 1/P_back, 1/R.",
+    ),
+    "the mean alone": (
+        lambda *given: meet(*given)[0],
+        "The mean is right. Return the variance too.",
+    ),
+    "z added to the sum": (
+        lambda x, P, x_back, P_back, z, R: (
+            (x / P + x_back / P_back + z / R) / (1 / P + 1 / P_back - 1 / R),
+            1 / (1 / P + 1 / P_back - 1 / R),
+        ),
+        "The variance is right. In the weighted sum z/R is taken out too: subtract it.",
+    ),
+}

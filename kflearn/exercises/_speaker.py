@@ -1,0 +1,104 @@
+"""Recordings for the open exercise of lesson 8: a speaker among echoes that last longer than the lesson's."""
+
+import numpy as np
+
+from kflearn import angle_difference, bearings
+
+STEPS, LONGEST, SETTLED = 325, 14, 30  # readings in a recording, in an echo; after a change, until it is judged again
+HABITS = bearings.VARIANTS["crossing"]
+
+
+def recording(rng):
+    """Readings (325,) of a speaker who walks across north; in half of them somebody else takes over."""
+    truth, z = bearings.recording(HABITS._replace(drift=0.15 * rng.choice([-1, 1])), STEPS, rng)
+    turn, moment = rng.choice([-1, 1]) * rng.uniform(70, 150) * (rng.random() < 0.5), rng.integers(150, 180)
+    truth[moment:] += turn
+    z[moment:] = bearings.nearest(z[moment:] + turn)
+    _quiet(z, truth, moment - 16, moment + 16)
+    for begin in (0, rng.integers(55, 90), rng.integers(240, 280)):
+        end = begin + (rng.integers(3, 6) if begin == 0 else rng.integers(11, LONGEST + 1))
+        _quiet(z, truth, begin - 16, end + 16)
+        z[begin:end] = bearings.nearest(truth[begin] + rng.choice([-1, 1]) * rng.uniform(50, 120))
+    return (z,), truth
+
+
+def _quiet(z, truth, first, last):
+    """No echoes between two readings."""
+    place = slice(max(first, 0), last)
+    z[place] = bearings.nearest(truth[place])
+
+
+def off(changed):
+    """The rms error of the recordings with a change, or without; the readings just after it do not count."""
+
+    def value(answers, truths):
+        errors = []
+        for answer, truth in zip(answers, truths, strict=True):
+            jumps = np.flatnonzero(abs(np.diff(truth)) > 30) + 1
+            if bool(len(jumps)) == changed:
+                error = angle_difference(np.asarray(answer, float), truth)
+                keep = np.ones(len(truth), bool)
+                for moment in jumps:
+                    keep[moment : moment + SETTLED] = False
+                errors.append(error[keep])
+        return np.sqrt(np.mean(np.concatenate(errors) ** 2))
+
+    return value
+
+
+# ---- designs
+
+
+def gate(Q=0.5, R=9.0, patience=LONGEST, start=15):
+    """The lesson's gate, with its numbers chosen anew."""
+
+    def follow(z):
+        x, P, refused, found = z[0] + np.median(angle_difference(z[:start], z[0])), R, 0, []
+        for reading in z:
+            P, innovation = P + Q, angle_difference(reading, x)
+            far = innovation**2 > 9 * (P + R)
+            refused = refused + 1 if far else 0
+            K = 1 if refused > patience else 0 if far else P / (P + R)
+            x, P = x + K * innovation, (1 - K) ** 2 * P + K**2 * R
+            found.append(x)
+        return np.array(found)
+
+    return follow
+
+
+def medians(window=31, centred=False):
+    """The median of the last readings, or of those on both sides, taken the short way round."""
+
+    def follow(z):
+        found, x = [], z[0] + np.median(angle_difference(z[:window], z[0]))
+        for k in range(len(z)):
+            first = max(0, k - window // 2) if centred else max(0, k - window + 1)
+            last = k + window // 2 + 1 if centred else max(k + 1, window // 2)
+            x = x + np.median(angle_difference(z[first:last], x))
+            found.append(x)
+        return np.array(found)
+
+    return follow
+
+
+def plain(z, Q=200.0, R=500.0):
+    """The lesson's scalar filter with the published Q and R."""
+    x, P, found = z[0], R, [z[0]]
+    for reading in z[1:]:
+        P = P + Q
+        K = P / (P + R)
+        x, P = x + K * angle_difference(reading, x), (1 - K) * P
+        found.append(x)
+    return np.array(found)
+
+
+PASSING = {"gate": gate(), "median of the last 31": medians(), "median of 31, both sides": medians(centred=True)}
+FAILING = {
+    "raw readings": lambda z: z,
+    "ignores the readings": lambda z: np.full(len(z), 180.0),
+    "one value for all": lambda z: z[0] + np.full(len(z), np.median(angle_difference(z, z[0]))),
+    "the lesson's filter": plain,
+    "the lesson's gate": gate(1.0, 9.0, 10, 1),
+    "a gate that stays shut": gate(patience=np.inf),
+    "median without the short way": lambda z: np.array([np.median(z[max(0, k - 30) : k + 1]) for k in range(len(z))]),
+}

@@ -1,0 +1,180 @@
+"""Wrong answers to exercises of lesson 0, each with the sentence that it gets."""
+
+import math
+
+import numpy as np
+
+
+def sigma_of(counts):
+    """What σ so many readings bring."""
+    words = "{} readings bring σ down to {:.3g} m. Solve 1/√n = 0.1 for n."
+    return {str(n): (n, words.format(f"{n:,}", 1 / math.sqrt(n))) for n in counts}
+
+
+WRONG = {
+    "readings_needed": {
+        "σ/n": (10, "Ten readings give 1/√10 = 0.32 m: the standard deviation falls with √n, not with n."),
+        "a zero too many": (
+            1000,
+            "1,000 readings give 1/√1000 = 0.03 m: more than was asked for. Solve 1/√n = 0.1 for n.",
+        ),
+        "±2σ": (
+            400,
+            "400 readings bring 2σ down to 0.1 m. That is a useful promise, but σ itself was asked for.",
+        ),
+        "root of ten": (
+            lambda: math.sqrt(10),
+            "You took a root where a square is needed: from √n = 10 follows n = 10², not n = √10.",
+        ),
+        "the variance": (
+            lambda: 0.1**2,
+            "0.01 m² is the variance the mean must have. How many readings bring 1 m² down to it?",
+        ),
+        "2σ/n": (
+            20,
+            "Twenty readings give 1/√20 = 0.22 m. Halving σ takes four times the readings, not twice.",
+        ),
+        "one too many": (101, "101 is more than needed: 0.1 m itself is allowed."),
+        "one too few": (99, "With 99 readings σ is 0.1005 m: just not there yet."),
+        "1/σ": (0.1, "0.1 m is the σ that is wanted. How many readings bring it about?"),
+        **sigma_of((2, 3, 5, 11, 16, 25, 30, 40, 50, 64, 81, 90, 200, 250, 500, 10_000)),
+        "one": (1, "One reading has σ = 1 m. The mean of n readings has 1/√n m."),
+    },
+    "update_mean": {
+        "n + 1": (
+            lambda mean, n, z: mean + (z - mean) / (n + 1),
+            "You divided by n + 1, but n counts the new reading already: with the second reading the gain is 1/2.",
+        ),
+        "n − 1": (
+            lambda mean, n, z: mean + (z - mean) / (n - 1),
+            "You divided by the number of the old readings, n − 1. The new one counts too: with the second reading the gain is 1/2.",
+        ),
+        "halfway": (
+            lambda mean, n, z: (mean + z) / 2,
+            "You go halfway every time. The old mean stands for n − 1 readings, the new reading for one.",
+        ),
+        "wrong sign": (
+            lambda mean, n, z: mean + (mean - z) / n,
+            "Your mean walks away from the reading: the surprise is measured minus expected, z - mean.",
+        ),
+        "weights swapped": (
+            lambda mean, n, z: z + (mean - z) / n,
+            "You gave the new reading the weight of all the old ones. Start at mean and walk the part 1/n towards z.",
+        ),
+        "surprise forgotten": (
+            lambda mean, n, z: mean + z / n,
+            "You added a part of the reading itself: the old mean then counts n times, and it stands for n − 1 readings. Add a part of the surprise, z - mean.",
+        ),
+        "sum over n": (
+            lambda mean, n, z: (mean + z) / n,
+            "The old mean stands for n − 1 readings, so it counts n − 1 times: ((n − 1)·mean + z)/n. Or use the form with the gain.",
+        ),
+        "not divided": (
+            lambda mean, n, z: (n - 1) * mean + z,
+            "That is the sum of all n readings. Divide it by n.",
+        ),
+        "the new reading": (
+            lambda mean, n, z: z,
+            "You return the new reading and forget all the old ones: that is a gain of 1.",
+        ),
+        "the old mean": (
+            lambda mean, n, z: mean,
+            "You return the old mean, so nothing was learnt: that is a gain of 0.",
+        ),
+        "whole numbers": (
+            lambda mean, n, z: mean + (z - mean) // n,
+            "// rounds down to a whole number. Divide with a single /.",
+        ),
+        "only the step": (lambda mean, n, z: (z - mean) / n, "That is the step alone. Add it to the old mean."),
+        "times n": (
+            lambda mean, n, z: mean + n * (z - mean),
+            "You multiplied the surprise by n. A single reading among many must move the mean less, not more.",
+        ),
+        "zn over all": (
+            lambda mean, n, z: z / n,
+            "That is the share of the new reading. The share of the old mean is missing.",
+        ),
+        "divided by n − 1": (
+            lambda mean, n, z: ((n - 1) * mean + z) / (n - 1),
+            "The sum is right: (n − 1)·mean + z is the sum of n readings. So divide by n.",
+        ),
+        "no brackets": (
+            lambda mean, n, z: mean + z - mean / n,
+            "Your division takes only one of the two: put brackets around the surprise, (z - mean) / n.",
+        ),
+        "a fixed gain": (
+            lambda mean, n, z: mean + 0.2 * (z - mean),
+            "You took the same gain for every n. In a mean the gain falls with n: the more readings, the less each of them counts.",
+        ),
+        "median": (
+            lambda mean, n, z: max(mean, z),
+            "You return the larger of the two. The new mean lies between the old one and the new reading.",
+        ),
+    },
+    "root_mean_square": {
+        "as published": (
+            lambda error: np.mean(abs(error)),
+            "That is still the mean absolute error. The square must come before the mean, and the root after it.",
+        ),
+        "root forgotten": (
+            lambda error: np.mean(error**2),
+            "That is the mean square, in m². Take the root to come back to metres.",
+        ),
+        "standard deviation": (
+            lambda error: np.std(error),
+            "`np.std` subtracts the mean error first, so it cannot see an offset: the torn tape would look as good as a whole one.",
+        ),
+        "variance": (
+            lambda error: np.var(error),
+            "`np.var` subtracts the mean error first, so it cannot see an offset; and it is in m².",
+        ),
+        "root of the sum": (
+            lambda error: np.sqrt(np.sum(error**2)),
+            "You took the sum of the squares: it grows with every reading. Take their mean.",
+        ),
+        "root of the sum, divided": (
+            lambda error: np.sqrt(np.sum(error**2)) / len(error),
+            "You divided by the number of errors twice, or after the root. Divide once, before the root: that is the mean of the squares.",
+        ),
+        "n − 1": (
+            lambda error: np.sqrt(np.sum(error**2) / (len(error) - 1)),
+            "Dividing by n − 1 is for distances from a mean of the same readings. These are errors against the truth: divide by n.",
+        ),
+        "plain mean": (
+            lambda error: np.mean(error),
+            "In the plain mean errors of +5 and −5 m cancel. Square first, and nothing cancels.",
+        ),
+        "size of the mean": (
+            lambda error: np.sqrt(np.mean(error) ** 2),
+            "You took the mean before you squared, so that errors of +5 and −5 m cancel. Square each error first.",
+        ),
+        "largest": (
+            lambda error: np.max(abs(error)),
+            "That is the largest error: one bad reading decides everything.",
+        ),
+        "mean squared": (
+            lambda error: np.mean(error) ** 2,
+            "You took the mean first, so that errors of +5 and −5 m cancel, and the root is missing. Square each error, then mean, then root.",
+        ),
+        "no square": (
+            lambda error: np.sqrt(np.mean(abs(error))),
+            "You took the root, but nothing was squared before: square each error first.",
+        ),
+        "variance for the mean square": (
+            lambda error: np.sqrt(np.var(error, ddof=1) if len(error) > 1 else 0.0),
+            "You took the scatter about the mean error. An error that all readings share does not show in it: do not subtract the mean.",
+        ),
+        "sum of squares": (
+            lambda error: np.sum(error**2),
+            "That is the sum of the squares: take their mean, and then the root.",
+        ),
+        "root of the mean": (
+            lambda error: np.sqrt(abs(np.mean(error))),
+            "You never squared: in the plain mean errors of +5 and −5 m cancel. Square each error first.",
+        ),
+        "median": (
+            lambda error: np.median(abs(error)),
+            "That is the median of the sizes. The name says: root, of the mean, of the squares.",
+        ),
+    },
+}

@@ -1,0 +1,161 @@
+"""Wrong answers to exercises of lesson 6, each with the sentence that it gets."""
+
+import math
+
+
+def balance(Q, R):
+    """The steady gain of the scalar random walk."""
+    q = Q / R
+    return (math.sqrt(q**2 + 4 * q) - q) / 2
+
+
+WRONG = {
+    "steady_sigma": {
+        "variance": (
+            lambda: balance(0.01, 0.25) * 0.25,
+            "That is the variance P = K·R, in °C². The question asks for σ, its root.",
+        ),
+        "gain": (lambda: balance(0.01, 0.25), "That is the gain K, a pure number. Go on: P = K·R, then the root."),
+        "before the reading": (
+            lambda: math.sqrt(balance(0.01, 0.25) * 0.25 + 0.01),
+            "That is √(P + Q), what the filter claims before the next reading; after it, it is √P with P = K·R.",
+        ),
+        "√(KQ)": (
+            lambda: math.sqrt(balance(0.01, 0.25) * 0.01),
+            "You multiplied the gain with Q. At the balance P = K·R: (9) with the K of (7).",
+        ),
+        "forgotten memory": (
+            lambda: math.sqrt(0.01 * 0.25 / 0.26),
+            "0.098 °C is less than the filter can know. Did you exchange Q and R, or fuse Q with R alone? R = 0.25 belongs to the thermometer, and what was left over counts too: P⁻ = P + Q.",
+        ),
+        "ratio upside down": (
+            lambda: math.sqrt(balance(0.25, 0.01) * 0.25),
+            "Your ratio is upside down: q = Q/R = 0.04, not 25.",
+        ),
+        "R alone": (0.5, "That is the thermometer alone, √R. The filter remembers earlier readings and does better."),
+        "sum": (
+            lambda: math.sqrt(0.26),
+            "You added Q and R. The filter's variance is smaller than that of a single reading, not larger.",
+        ),
+        "K σ": (
+            lambda: balance(0.01, 0.25) * 0.5,
+            "You multiplied the gain by σ. It is the variance that is K·R: take the root after that.",
+        ),
+        "√K": (
+            lambda: math.sqrt(balance(0.01, 0.25)),
+            "That is 2σ, or the root of the gain without R: with R = 0.25 the two are one number. P = K·R, and one σ is asked for.",
+        ),
+        "√Q": (
+            0.1,
+            "0.1 °C is √Q, what the temperature wanders in a minute. What the filter knows of it also depends on R.",
+        ),
+        "P before": (
+            lambda: balance(0.01, 0.25) * 0.25 + 0.01,
+            "That is P⁻ = P + Q, a variance, before the reading. The question asks for σ after it.",
+        ),
+        "ratio": (0.04, "That is the ratio q = Q/R. The gain follows from it, then P = K·R, then the root."),
+        "R": (0.25, "That is R, a variance, of the thermometer alone. The filter does better; and σ is a root."),
+        "Q + R": (
+            0.26,
+            "You added Q and R. The filter's variance is smaller than that of a single reading, not larger.",
+        ),
+        "Q": (
+            lambda: 0.01,
+            "That is Q, a variance: what the temperature wanders in a minute. What the filter knows also depends on R.",
+        ),
+        "fused, not rooted": (
+            lambda: 0.01 * 0.25 / 0.26,
+            "Q and R alone do not tell it: what was left over counts too, P⁻ = P + Q. And σ is a root.",
+        ),
+    },
+    "data_sheets": {
+        "σ for σ²": (
+            (2.5, 0.3, 0.25 / math.sqrt(3)),
+            "Three right standard deviations. R is a variance: square each of them.",
+        ),
+        "limits squared": (
+            (6.25, 0.36, 0.0625),
+            "You squared the numbers of the sheets as they stand. (a) is right; (b) is 2σ, and (c) a hard limit: σ = a/√3.",
+        ),
+        "95 % taken for 1σ": (
+            (6.25, 0.36, 0.25**2 / 3),
+            "(a) and (c) are right. In (b), 95 % of readings lie within 2σ, so σ is half of 0.6 °C.",
+        ),
+        "95 % taken for 3σ": (
+            (6.25, 0.04, 0.25**2 / 3),
+            "(a) and (c) are right. In (b) you divided by 3; within 3σ lie 99.7 % of readings, within 2σ 95 %.",
+        ),
+        "halved after squaring": (
+            (6.25, 0.18, 0.25**2 / 3),
+            "(a) and (c) are right. In (b) halve first, then square: (0.6/2)², not 0.6²/2.",
+        ),
+        "whole step as limit": (
+            (6.25, 0.09, 0.5**2 / 3),
+            "(a) and (b) are right. In (c), rounding to the nearest half volt errs by a quarter of a volt at most: a = 0.25 V.",
+        ),
+        "limit as σ": (
+            (6.25, 0.09, 0.0625),
+            "(a) and (b) are right. In (c), 0.25 V is the largest error there can be; most are smaller: σ = a/√3.",
+        ),
+        "limit as 2σ": (
+            (6.25, 0.09, 0.25**2 / 4),
+            "(a) and (b) are right. In (c) you took the limit for 2σ; a rounding error lies anywhere within it with equal chance: σ = a/√3.",
+        ),
+        "limit as 3σ": (
+            (6.25, 0.09, 0.25**2 / 9),
+            "(a) and (b) are right. In (c) you took the limit for 3σ; a rounding error lies anywhere within it with equal chance: σ = a/√3.",
+        ),
+        "√3 not squared": (
+            (6.25, 0.09, 0.25**2 / math.sqrt(3)),
+            "(a) and (b) are right. In (c) the √3 is squared too: R = a²/3.",
+        ),
+        "(a) not squared": (
+            lambda: (2.5, 0.09, 0.25**2 / 3),
+            "(b) and (c) are right. In (a) the sheet gives σ; R is its square.",
+        ),
+        "(a) halved": (
+            lambda: (1.25**2, 0.09, 0.25**2 / 3),
+            "(b) and (c) are right. In (a) the sheet says one sigma: 2.5 m is σ already.",
+        ),
+        "(b) not squared": (
+            lambda: (6.25, 0.3, 0.25**2 / 3),
+            "(a) and (c) are right. In (b) you have σ; R is its square.",
+        ),
+        "(c) not squared": (
+            lambda: (6.25, 0.09, 0.25 / math.sqrt(3)),
+            "(a) and (b) are right. In (c) you have σ; R is its square.",
+        ),
+        "(c) the limit itself": (
+            (6.25, 0.09, 0.25),
+            "(a) and (b) are right. In (c) the error is never larger than a = 0.25 V, half of a step. The variance is neither a nor the step squared: it is a²/3.",
+        ),
+        "(c) the step squared": (
+            (6.25, 0.09, 0.125),
+            "(a) and (b) are right. In (c) the limit is a = 0.25 V, half of a step, and the variance is a²/3.",
+        ),
+        "(b) doubled": (
+            lambda: (6.25, 1.44, 0.25**2 / 3),
+            "(a) and (c) are right. In (b) you doubled: 0.6 °C contains the 2 of 2σ already. Halve it, then square.",
+        ),
+        "(b) the limit itself": (
+            lambda: (6.25, 0.6, 0.25**2 / 3),
+            "(a) and (c) are right. In (b), 0.6 °C is 2σ: halve it, then square.",
+        ),
+        "(c) the step itself": (
+            (6.25, 0.09, 0.5),
+            "(a) and (b) are right. In (c), rounding is wrong by half of a step at most, a = 0.25 V, and the variance is a²/3.",
+        ),
+        "(c) a step of 1 V": (
+            lambda: (6.25, 0.09, 1 / 3),
+            "(a) and (b) are right. In (c) the step is half a volt, so an error is a = 0.25 V at most, and the variance is a²/3.",
+        ),
+        "numbers of the sheets": (
+            (2.5, 0.6, 0.25),
+            "These are the numbers of the sheets. Which of them is σ, which 2σ, which a hard limit? And R is a variance.",
+        ),
+        "(c) over 12": (
+            lambda: (6.25, 0.09, 0.25**2 / 12),
+            "(a) and (b) are right. In (c) the 12 belongs to the whole step, 0.5 V; with the limit a = 0.25 V it is a²/3.",
+        ),
+    },
+}

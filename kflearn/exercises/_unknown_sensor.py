@@ -1,0 +1,165 @@
+"""Recordings for the open exercise of lesson 20: a cart whose sensor becomes worse, or better, at some moment."""
+
+import numpy as np
+
+from kflearn.exercises._judge import Mark, pair
+
+GOOD, BAD, SETTLED = 1.0, 16.0, 45  # R in m², and the steps after which a filter should have noticed
+
+
+def unknown_sensor(rng):
+    """140 readings of a cart, some missing; F, Q and the start; and the truth with R in its third column."""
+    T, dt, q = 140, rng.integers(1, 4) / 4, rng.integers(1, 5) / 40
+    F = np.array([[1, dt], [0, 1]])
+    Q = q * np.array([[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
+    mean, cov = np.array([rng.integers(-20, 20), rng.integers(-5, 6)]).astype(float), np.diag([4.0, 1.0])
+    state, root, states = rng.multivariate_normal(mean, cov), np.linalg.cholesky(Q), []
+    for _ in range(T):
+        state = F @ state + root @ rng.standard_normal(2)
+        states.append(state)
+    first, second = (GOOD, BAD) if rng.random() < 0.5 else (BAD, GOOD)
+    R = np.where(np.arange(T) < rng.integers(62, 78), first, second)
+    z = np.array(states)[:, 0] + np.sqrt(R) * rng.standard_normal(T)
+    z[rng.choice(np.arange(3, T), 10, replace=False)] = np.nan
+    return (z, F, Q, mean, cov), np.column_stack([states, R])
+
+
+def settled(R, level):
+    """The steps at which R has that value, the first 45 of each stretch left out."""
+    change = np.flatnonzero(np.diff(R))[0] + 1
+    steps = np.arange(len(R))
+    return (level == R) & (np.where(steps < change, steps, steps - change) >= SETTLED)
+
+
+def honest(level):
+    """The mean NEES / 2 where R has a value, of all recordings together."""
+
+    def value(answers, truths):
+        found = []
+        for answer, truth in zip(answers, truths, strict=True):
+            (mean, cov), at = pair(answer), settled(truth[:, 2], level)
+            error = (truth[:, :2] - mean)[at]
+            found.append(np.sum(error * np.linalg.solve(cov[at], error[..., None])[..., 0], axis=-1))
+        return np.mean(np.concatenate(found)) / 2
+
+    return value
+
+
+def off(level):
+    """The rms error of the position where R has a value."""
+
+    def value(answers, truths):
+        at = [settled(truth[:, 2], level) for truth in truths]
+        errors = [(pair(a)[0] - t[:, :2])[w, 0] for a, t, w in zip(answers, truths, at, strict=True)]
+        return np.sqrt(np.mean(np.concatenate(errors) ** 2))
+
+    return value
+
+
+def learn(z, F, Q, mean, cov, window=30, R=1.0, floor=0.05, rule=None):
+    """The lesson's filter, with R from a window of innovations; `rule` puts another estimate in its place."""
+    x, P, recent, rows = mean, cov, [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        if not np.isnan(reading):
+            y = reading - x[0]
+            recent.append(y * y)
+            if rule:
+                R = rule(R, y, P[0, 0])
+            elif window and len(recent) >= window:
+                R = max(np.mean(recent[-window:]) - P[0, 0], floor)
+            K = P[:, 0] / (P[0, 0] + R)
+            x, P = x + K * y, P - np.outer(K, P[0])
+        rows.append((x, P))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def fading(R, y, explained):
+    """R̂ as a fading mean of what the prediction does not explain."""
+    return max(0.95 * R + 0.05 * (y * y - explained), 0.1)
+
+
+def bank(z, F, Q, mean, cov, candidates=(1.0, 4.0, 16.0), stay=0.98):
+    """A bank of filters with fixed R whose weights may change; their beliefs are mixed at the end of each step only."""
+    xs, Ps = [mean] * len(candidates), [cov] * len(candidates)
+    weights, rows, M = np.full(len(candidates), 1 / len(candidates)), [], len(candidates)
+    for reading in z:
+        weights = stay * weights + (1 - stay) * (1 - weights) / (M - 1)
+        for i, R in enumerate(candidates):
+            x, P = F @ xs[i], F @ Ps[i] @ F.T + Q
+            if not np.isnan(reading):
+                S, y = P[0, 0] + R, reading - x[0]
+                weights[i] *= np.exp(-y * y / S / 2) / np.sqrt(S)
+                K = P[:, 0] / S
+                x, P = x + K * y, P - np.outer(K, P[0])
+            xs[i], Ps[i] = x, P
+        weights = weights / weights.sum()
+        x = weights @ np.array(xs)
+        P = sum(w * (C + np.outer(m - x, m - x)) for w, m, C in zip(weights, xs, Ps, strict=True))
+        rows.append((x, P))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def raw(z, F, Q, mean, cov):
+    """The readings themselves, the last one held where there is none, and their differences."""
+    held = z.copy()
+    for k in np.flatnonzero(np.isnan(z)):
+        held[k] = held[k - 1]
+    return np.column_stack([held, np.gradient(held) / F[0, 1]]), np.tile(np.eye(2), (len(z), 1, 1))
+
+
+def as_in_the_lesson(z, F, Q, mean, cov):
+    """The lesson's cart in place of the one that is given."""
+    push = np.array([0.005, 0.1])
+    return learn(z, np.array([[1, 0.1], [0, 1]]), 0.04 * np.outer(push, push), mean, cov)
+
+
+SURE = "The claimed σ is too small: does R̂ follow the sensor, and is HP⁻Hᵀ taken off C only once?"
+MARKS = [
+    Mark(
+        "error of the position where R = 1 m² (rms)",
+        off(GOOD),
+        high=0.69,
+        unit="m",
+        above="Does R̂ come down again after the bad stretch, and does a missing reading leave it alone?",
+    ),
+    Mark(
+        "error of the position where R = 16 m² (rms)",
+        off(BAD),
+        high=2.2,
+        unit="m",
+        above="The filter still trusts a bad sensor: how many readings does it take until R̂ is near 16 m²?",
+    ),
+    Mark(
+        "NEES / 2 where R = 1 m²",
+        honest(GOOD),
+        low=0.66,
+        high=1.5,
+        below="The claimed σ is too large: here R̂ should be about 1 m².",
+        above=SURE + " A short window makes R̂ restless.",
+    ),
+    Mark(
+        "NEES / 2 where R = 16 m²",
+        honest(BAD),
+        low=0.66,
+        high=1.75,
+        below="The claimed σ is too large: here R̂ should be about 16 m².",
+        above=SURE,
+    ),
+]
+PASSING = {
+    "a window of 20": lambda *given: learn(*given, window=20),
+    "a window of 40": lambda *given: learn(*given, window=40),
+    "a fading mean": lambda *given: learn(*given, rule=fading),
+    "a bank that may change": bank,
+}
+FAILING = {
+    "ignores all readings": lambda *given: learn(*given, window=0, R=1e12),
+    "the readings themselves": raw,
+    "the lesson's cart": as_in_the_lesson,
+    "the data sheet": lambda *given: learn(*given, window=0),
+    "a compromise, R = 4": lambda *given: learn(*given, window=0, R=4.0),
+    "always careful, R = 16": lambda *given: learn(*given, window=0, R=16.0),
+    "a window that is too long": lambda *given: learn(*given, window=100),
+    "a bank that never changes": lambda *given: bank(*given, stay=1.0),
+}

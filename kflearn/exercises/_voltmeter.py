@@ -1,0 +1,206 @@
+"""Wrong answers to exercises of lesson 5, each with the sentence that it gets."""
+
+import math
+
+import numpy as np
+
+
+def after(Q, R, steps):
+    """The gain after some steps of the recursion, which starts at P = R."""
+    P = R
+    for _ in range(steps):
+        gain = (P + Q) / (P + Q + R)
+        P = gain * R
+    return gain
+
+
+def forgotten_prediction(Q, R):
+    """The fixed point of a recursion that fuses P = Q with R."""
+    return Q / (Q + R)
+
+
+WRONG = {
+    "second_gain": {
+        "forgot Q": (
+            0.5,
+            "0.5 comes from a prediction with a variance of 4 V² only. What is left from the first reading and what Q adds belong together: P⁻ = P + Q.",
+        ),
+        "1 − K": (1 / 3, "That is 1 − K, the weight of the prediction; the gain has P on top."),
+        "σ for σ²": (
+            math.sqrt(8) / (math.sqrt(8) + 2),
+            "You weighed with standard deviations; the gain takes variances.",
+        ),
+        "steady gain": (0.618034, "That is where the gain comes to rest later; the second reading meets a larger one."),
+        "Q twice": (0.75, "Q was added twice: only one prediction lies between the first and the second reading."),
+        "P before": (
+            8,
+            "8 V² is the variance before the second reading. The gain is a pure number: which part of P⁻ + R is it?",
+        ),
+        "P after": (
+            8 / 3,
+            "8/3 V² is the variance after the second reading. The gain is a pure number, between 0 and 1.",
+        ),
+        "third": (
+            0.625,
+            "That is the gain for the third reading. The first reading made the start, so there is one prediction before the second.",
+        ),
+        "R not added": (
+            2,
+            "You divided P⁻ by R alone. The gain is a part of the whole: P⁻/(P⁻ + R), never more than 1.",
+        ),
+        "first": (
+            1,
+            "A gain of 1 would believe the reading alone; that is how the filter starts. Go on to the second reading.",
+        ),
+        "Q alone": (4, "4 V² is a variance. The gain is a pure number, between 0 and 1."),
+        "0.8": (
+            0.8,
+            "0.8 would need a variance of 16 V² before the reading. After the first reading P is 4 V², and Q adds 4 V².",
+        ),
+        "0.2": (
+            0.2,
+            "0.2 would need a variance of 1 V² before the reading. After the first reading P is 4 V², and Q adds to it.",
+        ),
+        "1 − 0.618": (
+            0.382,
+            "That is 1 minus the gain at which the filter comes to rest. Calculate the second one: P grows by Q, then K is formed.",
+        ),
+        "0.4": (0.4, "0.4 is no part that P⁻ can have: with P⁻ = P + Q, which part of P⁻ + R is P⁻?"),
+        "0.25": (
+            0.25,
+            "A gain of 0.25 would need a prediction with a third of R. P grows by Q before the gain is formed: it is larger than R.",
+        ),
+        "sum": (12, "12 V² is P⁻ + R, which stands below the line of the gain."),
+    },
+    "steady_gain": {
+        "Q / (Q + R)": (
+            forgotten_prediction,
+            "That takes P⁻ for Q alone. But what was left over from the step before is still there: P⁻ = P + Q.",
+        ),
+        "Q and R swapped": (
+            lambda Q, R: (math.sqrt((R / Q) ** 2 + 4 * R / Q) - R / Q) / 2,
+            "You swapped Q and R: the larger Q, the more a new reading must count.",
+        ),
+        "1 − K": (
+            lambda Q, R: 1 - (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
+            "That is 1 − K, what the prediction keeps.",
+        ),
+        "P instead of K": (
+            lambda Q, R: R * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
+            "That is the steady variance P = K·R, in V²; the gain is a pure number.",
+        ),
+        "golden ratio always": (lambda Q, R: 0.6180339887, "0.618 is the answer for Q = R only."),
+        "other root": (
+            lambda Q, R: (-math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
+            "The quadratic equation has two roots; a gain lies between 0 and 1.",
+        ),
+        "R above": (
+            lambda Q, R: R / (Q + R),
+            "With R on top the gain would be small for a large Q. The variance of the prediction stands on top, and it is P⁻ = P + Q.",
+        ),
+        "P after in the gain": (
+            lambda Q, R: (P := R * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2) / (P + R),
+            "You formed the gain from the variance *after* the reading. Into K goes the one before it, P⁻ = P + Q.",
+        ),
+        "not halved": (
+            lambda Q, R: math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R,
+            "Nearly: the solution of a quadratic equation is divided by 2.",
+        ),
+        "4 for 4q": (
+            lambda Q, R: (math.sqrt((Q / R) ** 2 + 4) - Q / R) / 2,
+            "You solved K² + qK − 1 = 0. The last term is q: K² + qK − q = 0.",
+        ),
+        "sign of q": (
+            lambda Q, R: (math.sqrt((Q / R) ** 2 + 4 * Q / R) + Q / R) / 2,
+            "That is P⁻/R, or the solution of K² − qK − q = 0. A gain is a part of the whole, P⁻/(P⁻ + R), and at most 1: K² + qK − q = 0.",
+        ),
+        "P before the reading": (
+            lambda Q, R: R * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2 + Q,
+            "That is P⁻, the variance before the reading, in V². The gain is P⁻/(P⁻ + R), a pure number.",
+        ),
+        "1 steps": (
+            lambda Q, R: after(Q, R, 1),
+            "After 1 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
+        ),
+        "2 steps": (
+            lambda Q, R: after(Q, R, 2),
+            "After 2 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
+        ),
+        "5 steps": (
+            lambda Q, R: after(Q, R, 5),
+            "After 5 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
+        ),
+        "10 steps": (
+            lambda Q, R: after(Q, R, 10),
+            "After 10 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
+        ),
+        "20 steps": (
+            lambda Q, R: after(Q, R, 20),
+            "After 20 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
+        ),
+        "q": (lambda Q, R: Q / R, "That is the ratio q = Q/R. The gain follows from it: K² + qK − q = 0."),
+        "√q": (
+            lambda Q, R: math.sqrt(Q / R),
+            "√q is nearly right for a small Q only; a gain is never larger than 1. Solve K² + qK − q = 0.",
+        ),
+        "K Q": (
+            lambda Q, R: Q * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
+            "You multiplied the gain by Q. The gain is a pure number.",
+        ),
+        "ratio of σ": (
+            lambda Q, R: (math.sqrt(Q / R + 4 * math.sqrt(Q / R)) - math.sqrt(Q / R)) / 2,
+            "Your q is a ratio of standard deviations. Q and R are variances: q = Q/R.",
+        ),
+        "half": (
+            lambda Q, R: 0.5,
+            "You return 1/2 whatever Q and R are. The more the source moves, the larger the gain.",
+        ),
+    },
+    "is_unknown": {
+        "as published": (
+            lambda x: np.isnan(x).all(),
+            "That is the published test again: it says yes only when every entry is unknown.",
+        ),
+        "the wrong way round": (lambda x: not np.isnan(x).any(), "Your function says yes when the start is known."),
+        "only the first": (lambda x: np.isnan(x[0]), "You look at the first entry only; NaN may sit in any of them."),
+        "x == nan": (
+            lambda x: (x == np.nan).any(),
+            "NaN equals nothing, not even itself, so x == np.nan is always False: use np.isnan.",
+            "==",
+        ),
+        "always False": (
+            lambda x: False,
+            "Your function says False whatever the state is. Ask each entry with np.isnan first, and any() afterwards.",
+        ),
+        "always True": (lambda x: True, "Your function says True whatever the state is."),
+        "each entry": (
+            lambda x: np.isnan(x),
+            "You return an answer for each entry. One answer for the whole state is wanted: is any of them True?",
+        ),
+        "how many": (
+            lambda x: np.isnan(x).sum(),
+            "You return how many entries are unknown. True or False is wanted: is there any?",
+        ),
+        "only the last": (lambda x: np.isnan(x[-1]), "You look at the last entry only; NaN may sit in any of them."),
+        "only two": (
+            lambda x: np.isnan(x[:2]).any(),
+            "You look at the first two entries only. A state may have more: let np.isnan look at all of them.",
+        ),
+        "only the middle": (
+            lambda x: np.isnan(x[len(x) // 2]),
+            "You look at one entry only; NaN may sit in any of them.",
+        ),
+        "first and last": (
+            lambda x: np.isnan(x[0]) or np.isnan(x[-1]),
+            "You look at the first and the last entry only; NaN may sit between them.",
+        ),
+        "finite": (
+            lambda x: np.isfinite(x).any(),
+            "You ask whether any entry is known, or whether not all are unknown. The question is whether any is unknown.",
+        ),
+        "each, from a list": (
+            lambda x: [bool(np.isnan(value)) for value in x],
+            "You return an answer for each entry. One answer for the whole state is wanted: is any of them True?",
+        ),
+    },
+}

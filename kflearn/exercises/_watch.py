@@ -1,0 +1,73 @@
+"""A learner's code while it runs: what it prints is kept short and shown, and it is stopped when it takes too long."""
+
+import contextlib
+import ctypes
+import io
+import threading
+import warnings
+
+import numpy as np
+
+SECONDS = 10  # that a check may take
+SIGNS = 600  # of what is printed that are shown
+
+
+class TooLong(BaseException):
+    """The learner's code was stopped; `except Exception` in it does not catch this."""
+
+
+class Printed(io.TextIOBase):
+    """Takes what is printed, keeps the beginning, and counts the rest."""
+
+    def __init__(self):
+        self.kept, self.length, self.calls = io.StringIO(), 0, 0
+
+    def writable(self):
+        return True
+
+    def write(self, text):
+        if self.calls:
+            return len(text)
+        self.kept.write(text[: max(0, SIGNS - self.length)])
+        self.length += len(text)
+        return len(text)
+
+    def close_after_first(self, calls):
+        """Of a function that is called so often, only what the first call printed is kept."""
+        self.calls = calls
+
+    def text(self) -> str:
+        """What is shown of it; empty where nothing was printed."""
+        left_out, text = self.length - SIGNS, self.kept.getvalue()
+        text += f"\n… and {left_out:,} characters more" if left_out > 0 else ""
+        text += "" if not text or text.endswith("\n") else "\n"
+        return text + (f"(printed in the first of {self.calls} calls)\n" if text and self.calls > 1 else "")
+
+
+@contextlib.contextmanager
+def watched(printed):
+    """Run code with its prints taken, without warnings, and no longer than SECONDS: then TooLong is raised in it."""
+    with contextlib.redirect_stdout(printed), warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        with _limit(SECONDS):
+            yield
+
+
+@contextlib.contextmanager
+def _limit(seconds):
+    thread, lock, over = ctypes.c_ulong(threading.get_ident()), threading.Lock(), threading.Event()
+
+    def stop():
+        with lock:
+            if not over.is_set():
+                ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, ctypes.py_object(TooLong))
+
+    timer = threading.Timer(seconds, stop)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        with lock:
+            over.set()  # from here on nothing is raised any more
+        timer.cancel()
