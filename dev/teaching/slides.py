@@ -37,7 +37,8 @@ ROOM, WIDE = 650, 1184  # px of a slide of 1280 × 720 that can be filled
 LETTERS = 88  # in a line of text
 SMALL = 96  # code with a line longer than this is set smaller
 LIVE_ONLY = "*The outputs below are stored"  # begins a paragraph that means the notebook
-BY_HAND = r"(?m)\s*\bNow (?:move|you; press) [^.\n]*[.:]$"  # means sliders; slides have a picture in their place
+# What is done by hand: sliders and rings; slides have a picture in their place
+BY_HAND = r"(?m)\s*\bNow (?:move|you; press) .*[.:)]$|\s*(?:\*\*)?(?:Or t|T)ake hold [^.\n]*[.:]"
 
 
 class Piece(NamedTuple):

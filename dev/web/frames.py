@@ -11,12 +11,12 @@ import io
 import itertools
 import json
 import math
+import sys
 from base64 import b64encode
 from pathlib import Path
 
 import nbformat
 import numpy as np
-from IPython import get_ipython
 from PIL import Image
 
 from dev.web import named
@@ -35,7 +35,7 @@ def watch(folder, lesson):
     numbers, cells = itertools.count(), nbformat.read(lesson, as_version=4).cells
 
     def show(playground, **kwargs):
-        names = [name for name, thing in get_ipython().user_ns.items() if thing is playground]
+        names = [name for name, thing in vars(sys.modules["__main__"]).items() if thing is playground]
         wanted = named.settings(playground, cells, next(name for name in names if name[0] != "_"))
         record(playground, Path(folder, str(next(numbers))), wanted)
         return {"text/plain": str(playground)}

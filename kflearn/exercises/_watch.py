@@ -1,8 +1,9 @@
 """A learner's code while it runs: what it prints is kept short and shown, and it is stopped when it takes too long."""
 
+import _thread
 import contextlib
-import ctypes
 import io
+import signal
 import threading
 import warnings
 
@@ -55,19 +56,30 @@ def watched(printed):
 
 @contextlib.contextmanager
 def _limit(seconds):
-    thread, lock, over = ctypes.c_ulong(threading.get_ident()), threading.Lock(), threading.Event()
+    """Interrupt the main thread, where cells run, as Ctrl+C does; here that raises TooLong."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    lock, late, over = threading.Lock(), threading.Event(), threading.Event()
+
+    def interrupted(number, frame):
+        if late.is_set():
+            raise TooLong
+        (before if callable(before) else signal.default_int_handler)(number, frame)
 
     def stop():
         with lock:
             if not over.is_set():
-                ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, ctypes.py_object(TooLong))
+                late.set()
+                _thread.interrupt_main()
 
-    timer = threading.Timer(seconds, stop)
+    before, timer = signal.signal(signal.SIGINT, interrupted), threading.Timer(seconds, stop)
     timer.daemon = True
     timer.start()
     try:
         yield
     finally:
         with lock:
-            over.set()  # from here on nothing is raised any more
+            over.set()  # from here on nothing is interrupted any more
         timer.cancel()
+        signal.signal(signal.SIGINT, before)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from dev.bench import filters
+from dev.bench import filters, playground
 from dev.hard import speed
 
 ROOT = Path(__file__).parents[2]
@@ -31,8 +31,11 @@ def test_slow_is_no():
     lines = list(speed.ratios(filters.Result(race, 1.0, {"FilterPy": 999.0, "simdkalman": 2.0}, 1e-12)))
     assert [line.ok for line in lines] == [False, True, True]
     assert lines[0].measured == "999 times as quick" and lines[0].bound == "≥ 2000"
-    results = {"interact with pyplot": (150, 3.0), "playground": (60, 14.0), speed.playground.SLOW: (90, 9)}
-    assert [line.ok for line in speed.pictures(results)] == [False, True, False]
+    slow, plain = playground.Round(60, 14.0, 0.5, 6000, 5.0), playground.Round(150, 3.0, 0.1, 150_000, 40.0)
+    found = speed.pictures({playground.PLAIN: plain, playground.LIVE: slow})
+    assert [line.ok for line in found] == [False, False, False]
+    quick = playground.Round(15, 40.0, 0.95, 6000, 3.0)
+    assert all(line.ok for line in speed.pictures({playground.PLAIN: plain, playground.LIVE: quick}))
 
 
 def test_a_hungry_lesson_is_no(monkeypatch):
