@@ -58,15 +58,25 @@ def recorded(path, notebook):
     folder = FRAMES / f"{stem}-{sha256(b''.join(parts)).hexdigest()[:12]}"
     if sources and not folder.exists():
         FRAMES.mkdir(parents=True, exist_ok=True)
-        for old in FRAMES.glob(f"{stem}-*"):
-            shutil.rmtree(old)
         with tempfile.TemporaryDirectory(dir=FRAMES) as draft:
             new = Path(draft, stem)
             execute(sources, f"frames.watch({str(new)!r}, {str(path)!r})")
             assert len(list(new.glob("*/page.json"))) == sum(shown), f"playgrounds of {stem} could not be recorded"
-            new.rename(folder)
+            keep(new, folder)
         print("playgrounds of", stem, flush=True)
     return folder
+
+
+def keep(new, folder):
+    """Give a new folder its name, unless another process was faster; remove what was recorded of the lesson before."""
+    try:
+        new.rename(folder)
+    except OSError:
+        if not folder.exists():
+            raise
+    for old in folder.parent.glob(f"{folder.name.rpartition('-')[0]}-*"):
+        if old != folder:
+            shutil.rmtree(old, ignore_errors=True)
 
 
 def execute(sources, watch):
