@@ -34,10 +34,26 @@ def honest_share(low=0.5, high=2.0):
     return value
 
 
+def of_errors(answers, recordings):
+    """What to look at where the errors are too large."""
+    if all(
+        np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in zip(answers, recordings, strict=True)
+    ):
+        return "Your positions are the readings themselves: a filter with the right R is nearer to the truth."
+    return "That is more than a filter with the right R needs. Does each recording get an R of its own?"
+
+
+def of_claims(answers, recordings):
+    """What to look at where the claims are too small."""
+    if all(pair(answer)[1][-1, 1, 1] < Q[1, 1] for answer in answers):
+        return "The claim is too small: at the end your variance of the speed is below what Q alone adds in a second. Is Q added in each prediction?"
+    return "The claim is too small: is R the variance, and does every recording get its own?"
+
+
 # ---- designs
 
 
-def run(z, R):
+def run(z, R, Q=Q):
     """The lesson's filter: the means, the covariances and the NIS."""
     x, P, means, covs, scores = MEAN, COV, [], [], []
     for reading in z:
@@ -80,5 +96,6 @@ FAILING = {
     "raw readings": lambda z: (np.stack([z, 0 * z], axis=1), np.tile(np.diag([np.var(np.diff(z)) / 2, 25]), (STEPS, 1, 1))),
     "too modest": lambda z: run(z, np.var(np.diff(z, 2)))[:2],
     "too sure": lambda z: run(z, np.var(np.diff(z, 2)) / 36)[:2],
+    "Q forgotten": lambda z: run(z, np.var(np.diff(z, 2)) / 6, 0 * Q)[:2],
     "R from the scatter of z": lambda z: run(z, np.var(z))[:2],
 }  # fmt: skip
