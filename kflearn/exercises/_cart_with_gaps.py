@@ -85,6 +85,8 @@ def of_claims(otherwise):
     """What to look at where the claims do not fit the errors: a Q or a start that can be named, or something else."""
 
     def look(answers, recordings):
+        if all(growth(*each)[0][0, 0] < 0 for each in zip(answers, recordings, strict=True)):
+            return "In the gaps your P shrinks, as if something had been read: is a NaN taken for a number, such as 0?"
         for form, words in SEEN:
             if same(answers, recordings, form):
                 return words

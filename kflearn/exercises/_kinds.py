@@ -92,8 +92,8 @@ class ValueExercise(Exercise):
     """The learner hands in a number, an array, a Gaussian or a tuple of these."""
 
     def __init__(self, solution, hints, wrong, unit, rtol, atol, then, right, also=()):
-        typed = 1e-5 if is_whole(right) else 2e-3  # whole numbers are wanted exactly
-        super().__init__(solution, hints, wrong, unit, typed if rtol is None else rtol, atol, then)
+        super().__init__(solution, hints, wrong, unit, 2e-3 if rtol is None else rtol, atol, then)
+        self.exact = rtol is None  # then a whole number is wanted exactly
         self.right, self.also = right, list(also)
         self.subject = f"your answer (in {unit})" if unit else "your answer"
         self.wrong = {label: (value() if callable(value) else value, text) for label, (value, text) in wrong.items()}
@@ -105,7 +105,8 @@ class ValueExercise(Exercise):
             known[label] = value
 
     def _compare(self, answer, right, reveal=False):
-        return fault(answer, right, self.subject, self.rtol, self.atol, reveal, by_hand=True)
+        rtol = 5e-5 if self.exact and is_whole(right) else self.rtol
+        return fault(answer, right, self.subject, rtol, self.atol, reveal, by_hand=True)
 
     def _judge(self, answer, printed):
         """The outcome for an answer: the sentence of a wrong one in the table, or what is wrong with it."""
@@ -280,7 +281,7 @@ class FunctionExercise(Exercise):
         close = lambda one, other: fault(one, other, "", self.rtol, self.atol, False) is None  # noqa: E731
         if named := _rules.sentence(results, rights, close):
             return named
-        if _rules.changes(answer, results, self.cases, close):
+        if _rules.changes(answer, results, self.cases):
             return _rules.CHANGES
         first = next(i for i, complaint in enumerate(faults) if complaint)
         words = f"for `{self._called(self.cases[first])}` {faults[first]}"
