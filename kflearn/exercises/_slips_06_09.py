@@ -67,7 +67,7 @@ WRONG = {
         ),
         "n itself": (
             lambda e, P: float(len(e)),
-            "n is what NEES is on average, if the filter is honest. Here the NEES of this one e and P is wanted.",
+            "The number n is what NEES is on average, if the filter is honest. Here the NEES of this one e and P is wanted.",
         ),
     },
     "share_inside": {
@@ -118,6 +118,14 @@ WRONG = {
         "a symmetric P taken for granted": (
             lambda P, Q, dt: moved(P, dt) + Q + np.diag([dt * (P[0, 1] - P[1, 0]), 0]),
             "You took P₀₁ twice. This P need not be symmetric: in the upper left stands P₀₁ + P₁₀.",
+        ),
+        "symmetric throughout": (
+            lambda P, Q, dt: moved(np.array([[P[0, 0], P[0, 1]], [P[0, 1], P[1, 1]]]), dt) + Q,
+            "You took P₀₁ for P₁₀ as well. This P need not be symmetric: use both.",
+        ),
+        "upper left and q as published": (
+            lambda P, Q, dt: moved(P, dt) - np.diag([dt * P[0, 1] + dt**2 * P[1, 1], 0]) + Q[0, 0] * np.eye(2),
+            "The corners of F P Fᵀ are right. In the upper left dt·P₀₁ and dt²·P₁₁ are missing, and of Q you add the first entry twice: add the whole Q.",
         ),
         "Q squared": (
             lambda P, Q, dt: moved(P, dt) + Q**2,

@@ -58,14 +58,18 @@ def of_one(answers, recordings):
 
 def of_two(answers, recordings):
     """What to look at where the errors with two speakers are too large: it never comes to the new one, or it does."""
-    arrived = []
+    arrived, early = [], []
     for answer, (_, truth) in zip(answers, recordings, strict=True):
         for moment in np.flatnonzero(abs(np.diff(truth)) > 30) + 1:
             late = angle_difference(np.asarray(answer, float), truth)[moment + SETTLED :]
             arrived.append(np.median(abs(late)) < 10)
+            just_before = angle_difference(np.asarray(answer, float), truth)[moment - 5 : moment]
+            early.append(np.median(abs(just_before)) > 10)
+    if np.mean(early) > 0.5:
+        return "The filter comes to the new speaker before he speaks: it looks ahead, and switches too early."
     if np.mean(arrived) > 0.8:
         return (
-            "The filter comes to the new speaker, but it is wrong at other times: does an echo of 11 to 14 readings "
+            "The filter comes to the new speaker, but it is wrong at other times: do echoes of 11 to 14 readings "
             "take it along, because it switches too early?"
         )
     return "After a change the filter must come to the new speaker within 30 readings: does your gate open again?"

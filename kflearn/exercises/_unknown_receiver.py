@@ -43,10 +43,21 @@ def of_errors(answers, recordings):
     return "That is more than a filter with the right R needs. Does each recording get an R of its own?"
 
 
+def lacks_Q(answer):
+    """Whether the covariances are those of F P Fᵀ and a reading of the position, without a Q in between."""
+    cov = pair(answer)[1]
+    gained = np.linalg.inv(cov[1:20]) - np.linalg.inv(F @ cov[:19] @ F.T)
+    return np.allclose(gained[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max())
+
+
 def of_claims(answers, recordings):
     """What to look at where the claims are too small."""
-    if all(pair(answer)[1][-1, 1, 1] < Q[1, 1] for answer in answers):
-        return "The claim is too small: at the end your variance of the speed is below what Q alone adds in a second. Is Q added in each prediction?"
+    if all(map(lacks_Q, answers)):
+        return "The claim is too small: your P moves with F but gains no Q. Is Q added in each prediction?"
+    if all(
+        np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in zip(answers, recordings, strict=True)
+    ):
+        return "The claim is too small for the readings themselves: theirs is R, different in each recording."
     return "The claim is too small: is R the variance, and does every recording get its own?"
 
 

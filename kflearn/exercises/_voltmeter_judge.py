@@ -131,6 +131,13 @@ def before_gaps(answers, recordings):
     return "P has to grow by Q for each reading that is missing: yours does not."
 
 
+def at_readings(answers, recordings):
+    """What to look at where too few are inside at readings."""
+    if moves_in_gaps(answers, recordings):
+        return "After a gap the errors are too large for your variances: mend the gaps first."
+    return "The variances are too small. Has P grown by Q before each gain, and is it P that you return, not its root?"
+
+
 def of_errors(answers, recordings):
     """What to look at where the errors are too large."""
     if moves_in_gaps(answers, recordings):

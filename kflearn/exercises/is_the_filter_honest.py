@@ -157,7 +157,7 @@ def draw_start(mean, variances, normal):
             0.75,
             1.35,
             below="Too modest: the squared errors are smaller than claimed. Is your R too large?",
-            above="Too sure: the squared errors are larger than claimed. Is R too small, or is Q left out?",
+            above=of_claims,
         ),
         Mark(
             "recordings whose own NEES / n is between 0.4 and 2.5",

@@ -178,7 +178,7 @@ def best_error():
             low=93,
             high=97.5,
             unit="%",
-            below="The variances are too small. Has P grown by Q before each gain, and is it P that you return, not its root?",
+            below=judge.at_readings,
             above="The variances are too large. Is each of them the one after the reading, (1 − K)P?",
         ),
         Mark(

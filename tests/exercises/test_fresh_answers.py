@@ -1,4 +1,4 @@
-"""What a stranger answered in lessons 0 to 10: right answers that were refused, wrong ones that passed, and replies that misled."""
+"""What a stranger answered in lessons 0 to 10: what was refused, passed or misled."""
 
 from importlib import import_module
 
@@ -78,9 +78,12 @@ SAID = [
     ("gaussian_fusion.readings_needed", 10.911, "a whole number of times"),
     ("history.exponential_weights", lambda K, n: (1 - K) * K ** np.arange(n), "K and 1 − K are exchanged"),
     ("newton_to_state_space.held_push", lambda T, s: s**2 * np.array([[T**2 / 2], [T]]), "That is σ² G, a column"),
-    ("predict_correct.correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, expected=x[: len(z)]), "you took x away from z"),
-    ("predict_correct.correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, R_gain=1e-13), "R is missing in your gain"),
-    ("gaussian_fusion.fuse", lambda m, v, n, w: ((m + n) / 2, (v + w) / 4), "That is the plain average and its variance"),
+    ("predict_correct.correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, expected=x[: len(z)]),
+     "you took x away from z"),
+    ("predict_correct.correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, R_gain=1e-13),
+     "R is missing in your gain"),
+    ("gaussian_fusion.fuse", lambda m, v, n, w: ((m + n) / 2, (v + w) / 4),
+     "That is the plain average and its variance"),
     ("gaussian_fusion.published_claim", lambda m, v, n, w: ((m + n) / 2, (v + w) / 4), "That is the plain average"),
     ("voltmeter.steady_gain", few_steps, "That is the gain of reading 4"),
     ("voltmeter.steady_gain", lambda Q, R: (R + Q) / (2 * R + Q), "That is the gain of reading 2"),
@@ -93,7 +96,7 @@ SAID = [
     ("tuning_the_ratio.R_with_drift", lambda r: np.mean(np.diff(r)) ** 2 / 2, "You took the mean first"),
     ("is_the_filter_honest.nees", lambda e, P: e @ inv(P @ P) @ e, "You inverted P P"),
     ("is_the_filter_honest.share_inside", lambda e, P: 0.683, "what to expect of an honest filter"),
-    ("is_the_filter_honest.draw_start", lambda m, v, n: np.random.normal(m, np.sqrt(v)), "two different results"),
+    ("is_the_filter_honest.draw_start", lambda m, v, n: np.random.default_rng().normal(m, np.sqrt(v)), "two different results"),
     ("bearing_of_a_sound.wrap", turns_by_hand, "trials"),
     ("bearing_of_a_sound.right_prediction", symmetric, "need not be symmetric"),
     ("temperature_and_free_fall.mended_step", old_P, "the P that came in"),
@@ -118,8 +121,10 @@ OPEN = [
     ("bearing_of_a_sound.speaker", gate(patience=8), "switches too early", "gate open again"),
     ("bearing_of_a_sound.speaker", gate(patience=np.inf), "gate open again", "too early"),
     ("train_and_ship.cart_with_gaps", cart.white(0), "white noise", "start's P"),
-    ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: sd**2 * np.outer([dt / 2, 1], [dt / 2, 1])), "lacks a factor", "start's P"),
-    ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: cart.motion(dt, 1)[1] * sd), "sd times G Gᵀ", "start's P"),
+    ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: sd**2 * np.outer([dt / 2, 1], [dt / 2, 1])),
+     "lacks a factor", "start's P"),
+    ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: cart.motion(dt, 1)[1] * sd),
+     "sd times G Gᵀ", "start's P"),
     ("train_and_ship.cart_with_gaps", cart_with(P=np.eye(2)), "first reading is too small", "Is Q, R"),
     ("train_and_ship.cart_with_gaps", cart.FAILING["gaps filled with zeros"], "In the gaps your P shrinks", "Is Q, R"),
 ]  # fmt: skip
