@@ -75,10 +75,6 @@ WRONG = {
             lambda T, sigma: sigma**2 * held(T),
             "That is σ² G, a column. Q is a matrix: σ² G Gᵀ.",
         ),
-        "G times σ": (
-            lambda T, sigma: sigma * held(T),
-            "That is σ G, a column. Q is a matrix: σ² G Gᵀ.",
-        ),
         "white, no corners": (
             lambda T, sigma: sigma**2 * T * np.diag([1 / 3, 1]),
             "Two things: the acceleration is held for T, so Q is σ² G Gᵀ; and one push disturbs position and velocity together, so Q has corners.",
