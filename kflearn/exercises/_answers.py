@@ -149,6 +149,11 @@ def _is_rounded(given, right):
     return isinstance(right, float) and not right.is_integer() and given == float(f"{right:.2g}")
 
 
+def is_whole(right):
+    """Whether a right answer is one whole number."""
+    return isinstance(right, (int, float, np.number)) and float(right).is_integer()
+
+
 def _relatives(right):
     """Arrays that differ from the right one in a way which is easily named."""
     yield "has the opposite sign", -right

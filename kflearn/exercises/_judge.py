@@ -20,24 +20,26 @@ class Mark(NamedTuple):
     name, unit: what the number is, and its unit.
     value(answers, truths) → number, from what the function returned for each recording and what was true.
     low, high: between which it passes; None where there is no bound.
-    below, above: what to look at when it does not pass.
+    below, above: what to look at when it does not pass; or a function of the answers and the recordings that says it.
     """
 
     name: str
     value: Callable
     low: float | None = None
     high: float | None = None
-    below: str = ""
-    above: str = ""
+    below: str | Callable = ""
+    above: str | Callable = ""
     unit: str = ""
 
-    def verdict(self, number):
+    def verdict(self, number, answers, recordings):
         """None where the number passes; else what to look at."""
-        if not np.isfinite(number):
-            return "It is not finite: does the filter return a number for each reading?"
         if self.low is not None and number < self.low:
-            return self.below
-        return self.above if self.high is not None and number > self.high else None
+            look = self.below
+        elif self.high is not None and number > self.high:
+            look = self.above
+        else:
+            return None
+        return look(answers, recordings) if callable(look) else look
 
     def wanted(self):
         """The bounds in words."""
@@ -91,9 +93,12 @@ class OpenExercise(Exercise):
     def _report(self, answers):
         """Each mark with its number, what is wanted, and what to look at where it does not pass."""
         truths, lines, faults = [truth for _, truth in self.recordings], [], 0
-        for mark in self.marks:
-            number = float(mark.value(answers, truths))
-            look = mark.verdict(number)
+        numbers = [float(mark.value(answers, truths)) for mark in self.marks]
+        for mark, number in zip(self.marks, numbers, strict=True):
+            if not np.isfinite(number):
+                return Outcome("wrong", self._endless(mark, answers))
+        for mark, number in zip(self.marks, numbers, strict=True):
+            look = mark.verdict(number, answers, self.recordings)
             faults += look is not None
             value = f"{number:.3g} {mark.unit}".rstrip()
             line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
@@ -101,6 +106,17 @@ class OpenExercise(Exercise):
         first = f"On {RECORDINGS} recordings that you have not seen:"
         report = "\n".join([first, *(f"- {line}" for line in lines)])
         return self._right(f"{report}\n\n") if not faults else Outcome("wrong", report)
+
+    def _endless(self, mark, answers):
+        """What is said of results that hold NaN: nothing else is judged then."""
+        for recording, answer in enumerate(answers, 1):
+            if (at := first_endless(answer)) is not None:
+                inputs = self.recordings[recording - 1][0]
+                gap = any(np.isnan(part).any() for part in inputs if np.asarray(part).dtype.kind == "f")
+                where = f"For recording {recording} the result is not finite at reading {at + 1}"
+                also = ", also where the reading is NaN" if gap else ""
+                return f"{where}: does the filter return a number for each reading{also}? Nothing else is judged yet."
+        return f"The {mark.name} is not finite: is a variance zero? Nothing else is judged yet."
 
     def _answer(self):
         """The course's own design, for tests."""
@@ -125,6 +141,15 @@ def track(states, names="mean and covariance"):
 def series(answer, truth):
     """A form: one number for each reading."""
     return None if np.shape(answer) == np.shape(truth) else f"should be {np.shape(truth)}, but is {np.shape(answer)}"
+
+
+def first_endless(answer):
+    """The first reading at which a result is not finite; None where all of it is."""
+    parts = (answer.mean, answer.cov) if hasattr(answer, "cov") and not callable(answer.cov) else answer
+    rows = [np.asarray(part, float) for part in (parts if isinstance(parts, tuple) else [parts])]
+    found = [np.argwhere(~np.isfinite(row)) for row in rows]
+    steps = [places[0][0 if row.ndim < 4 else 1] for row, places in zip(rows, found, strict=True) if len(places)]
+    return min(map(int, steps), default=None)
 
 
 def pair(answer):

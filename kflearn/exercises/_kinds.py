@@ -6,7 +6,7 @@ import inspect
 import numpy as np
 
 from kflearn.exercises import _rules, progress
-from kflearn.exercises._answers import arity_fault, chosen, fault, listed, show, told, unfinished
+from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, told, unfinished
 from kflearn.exercises._messages import Message, Outcome
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._watch import Printed, watched
@@ -93,6 +93,7 @@ class ValueExercise(Exercise):
 
     def __init__(self, solution, hints, wrong, unit, rtol, atol, then, right, also=()):
         super().__init__(solution, hints, wrong, unit, 2e-3 if rtol is None else rtol, atol, then)
+        self.exact = rtol is None  # then a whole number is wanted exactly
         self.right, self.also = right, list(also)
         self.subject = f"your answer (in {unit})" if unit else "your answer"
         self.wrong = {label: (value() if callable(value) else value, text) for label, (value, text) in wrong.items()}
@@ -104,7 +105,8 @@ class ValueExercise(Exercise):
             known[label] = value
 
     def _compare(self, answer, right, reveal=False):
-        return fault(answer, right, self.subject, self.rtol, self.atol, reveal, by_hand=True)
+        rtol = 5e-5 if self.exact and is_whole(right) else self.rtol
+        return fault(answer, right, self.subject, rtol, self.atol, reveal, by_hand=True)
 
     def _judge(self, answer, printed):
         """The outcome for an answer: the sentence of a wrong one in the table, or what is wrong with it."""
@@ -196,7 +198,8 @@ class FunctionExercise(Exercise):
 
     subject = "the result"
 
-    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, inputs, fixed):
+    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, inputs, fixed, also=()):
+        self.also = list(also)
         super().__init__(solution, hints, wrong, unit, 1e-6 if rtol is None else rtol, atol, then)
         if not callable(inputs):
             raise ValueError(f"{self.name}: the solution has parameters, so inputs= must be a function of a Generator")
@@ -219,7 +222,7 @@ class FunctionExercise(Exercise):
             except KeyboardInterrupt:
                 raise
             except BaseException as error:
-                known = number >= 3 and self._lesson(answer, results)  # a known mistake, until the sizes do not fit
+                known = self._until(answer, results, error)
                 return Outcome("wrong", known) if known else Outcome(*told(error, answer, self._called(case)))
             if number == 0:
                 printed.close_after_first(len(self.cases))
@@ -231,6 +234,8 @@ class FunctionExercise(Exercise):
         faults = [self._compare(*pair, reveal=True) for pair in zip(results, rights, strict=True)]
         if not any(faults):
             return self._right(f"Your function agrees with the solution on {len(self.cases)} random inputs.")
+        if any(all(self._gives(other, *pair) for pair in zip(self.cases, results, strict=True)) for other in self.also):
+            return self._right(f"Your way is right as well: it was tried on {len(self.cases)} random inputs.")
         return Outcome("wrong", self._lesson(answer, results) or self._explained(answer, results, rights, faults))
 
     def _called(self, case):
@@ -238,18 +243,37 @@ class FunctionExercise(Exercise):
         return ", ".join(f"{name} = {show(value)}" for name, value in zip(self.parameters, case, strict=False))
 
     def _lesson(self, answer, results):
-        """The sentence of the wrong function in the table that gives the same results, as far as there are results."""
+        """The sentence of the first wrong function in the table that gives the same results."""
+        return next(self._lessons(answer, results), None)
+
+    def _lessons(self, answer, results):
+        """The sentences of the wrong functions that give the same results, as far as there are results."""
         for label, (wrong, sentence) in self.wrong.items():
             same = all(self._gives(wrong, *pair) for pair in zip(self.cases, results, strict=False))
             if same and (label not in self.only_if or _rules.source_has(answer, self.only_if[label])):
-                return sentence
-        return None
+                yield sentence
+
+    def _until(self, answer, results, error):
+        """A known mistake, which works until the sizes do not fit; None unless it is one only."""
+        case, number = self.cases[len(results)], len(results)
+        alike = [label for label, (wrong, _) in self.wrong.items() if _rules.raises(wrong, case, type(error))]
+        sure = {self.wrong[label][1] for label in alike if label in self.only_if}
+        found = [sentence for sentence in self._lessons(answer, results) if number >= 3 or sentence in sure]
+        rights = [self._solve(*copy.deepcopy(each)) for each in self.cases[:number]]
+        differs = any(self._compare(*pair) for pair in zip(results, rights, strict=True))
+        return found[0] if len(set(found)) == 1 and (differs or found[0] in sure) else None
 
     def _gives(self, wrong, case, result):
-        """Whether a wrong function gives this result; not every one can be called with all sizes."""
+        """Whether a wrong function gives this result; not every one can be called with all sizes.
+
+        What should be zero comes out as a rounding error, small beside the largest number of the result.
+        """
         try:
-            return self._compare(result, wrong(*copy.deepcopy(case))) is None
-        except (ValueError, IndexError, np.linalg.LinAlgError):
+            other = wrong(*copy.deepcopy(case))
+            numbers = [np.ravel(np.asarray(part, float)) for part in parts(other).values()]
+            atol = 1e-9 * max((np.abs(part).max(initial=0) for part in numbers), default=0) or self.atol
+            return fault(result, other, "", self.rtol, atol if self.atol is None else self.atol, False) is None
+        except (ValueError, IndexError, TypeError, np.linalg.LinAlgError):
             return False
 
     def _explained(self, answer, results, rights, faults):
@@ -257,6 +281,8 @@ class FunctionExercise(Exercise):
         close = lambda one, other: fault(one, other, "", self.rtol, self.atol, False) is None  # noqa: E731
         if named := _rules.sentence(results, rights, close):
             return named
+        if _rules.changes(answer, results, self.cases):
+            return _rules.CHANGES
         first = next(i for i, complaint in enumerate(faults) if complaint)
         words = f"for `{self._called(self.cases[first])}` {faults[first]}"
         if name := _rules.unused(answer, self._solve, self.cases, self.parameters, close):

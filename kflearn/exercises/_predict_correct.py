@@ -172,7 +172,7 @@ WRONG = {
             "Your P is right. Your x walks away from the measurement: the innovation is measured minus expected, z − H x.",
         ),
         "innovation without H": (
-            lambda x, P, z, H, R: (x + gain_of(P, H, R) @ (z - x), P - gain_of(P, H, R) @ H @ P),
+            lambda x, P, z, H, R: (x + gain_of(P, H, R) @ (z - x[: len(z)]), P - gain_of(P, H, R) @ H @ P),
             "Your P is right. But you took x away from z: compare the measurement with what you expected to measure, H x.",
         ),
         "z in place of the innovation": (

@@ -6,6 +6,7 @@ The exercises' own sentences come first. A rule speaks only where it explains al
 
 import copy
 import inspect
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -14,8 +15,8 @@ from kflearn.exercises._answers import parts
 
 # What each rule makes of the right result, and what is said of an answer that is equal to that
 TRANSFORMS = [
-    (lambda r: np.sqrt(r), "is the square root of what is wanted: a σ in place of a variance?"),
-    (lambda r: r**2, "is the square of what is wanted: a variance in place of a σ?"),
+    (lambda r: np.sqrt(r), "is the square root of what is wanted: a root too many, or a square that is missing."),
+    (lambda r: r**2, "is the square of what is wanted: a square too many, or a root that is missing."),
     (lambda r: 1 - r, "is 1 minus what is wanted: the other part of the whole."),
     (lambda r: 1 / r, "is 1 divided by what is wanted."),
     (lambda r: 2 * r, "is twice what is wanted."),
@@ -28,6 +29,10 @@ TRANSFORMS = [
     (lambda r: r.T if r.ndim == 2 else np.nan, "is the transpose of what is wanted."),
     (lambda r: np.eye(len(r)) - r if r.ndim == 2 and len(r) == len(r.T) else np.nan, "is I minus what is wanted."),
 ]  # fmt: skip
+CHANGES = (
+    "Called twice with the same inputs, your function gives two different results: it draws random numbers of its own, "
+    "or keeps something from call to call. Use what it is given, and nothing else."
+)
 
 
 def sentence(results, rights, close) -> str | None:
@@ -50,7 +55,7 @@ def sentence(results, rights, close) -> str | None:
     wanted = [list(parts(right).values()) for right in rights]
     pairs = list(zip(rows, wanted, strict=True))
     if all(close(one, other) for row, right in pairs for one, other in zip(row, reversed(right), strict=True)):
-        return f"The results are right, but in the wrong order: first {names[0]}, as the text says."
+        return f"The results are right, but they are wanted in the other order{_first(names[0])}."
     told = {}
     for i, name in enumerate(names):
         mine, theirs = [row[i] for row in rows], [right[i] for right in wanted]
@@ -60,6 +65,11 @@ def sentence(results, rights, close) -> str | None:
         return None
     others = "The rest is right. " if len(told) < len(names) else ""
     return others + " ".join(f"{name[0].upper()}{name[1:]} of the result {words}" for name, words in told.items())
+
+
+def _first(name):
+    """Which part comes first, where it has a name."""
+    return "" if name.startswith("value") else f": first {name}"
 
 
 def _row(result, count):
@@ -159,9 +169,32 @@ def _nan(part):
     return np.isnan(_flat(part)).any()
 
 
-def source_has(function, words) -> bool:
-    """Whether a function's source holds some words, as far as it can be read."""
+def changes(function, results, cases) -> bool:
+    """Whether a function, called once more with the inputs of the first trials, gives something else."""
+    for case, result in list(zip(cases, results, strict=False))[:3]:
+        try:
+            again = function(*copy.deepcopy(case))
+            rows = [list(parts(each).values()) or [each] for each in (again, result)]
+            numbers = [[np.asarray(part, float) for part in row] for row in rows]
+            if any(not np.array_equal(a, b, equal_nan=True) for a, b in zip(*numbers, strict=True)):
+                return True
+        except Exception:  # no numbers, or an error in the second call
+            return False
+    return False
+
+
+def source_has(function, pattern) -> bool:
+    """Whether a function's source holds a pattern, as far as it can be read."""
     try:
-        return words in inspect.getsource(function)
+        return re.search(pattern, inspect.getsource(function)) is not None
     except (OSError, TypeError):
         return True  # it cannot be read: nothing speaks against it
+
+
+def raises(function, case, kind) -> bool:
+    """Whether a function raises such an error."""
+    try:
+        function(*copy.deepcopy(case))
+    except Exception as error:
+        return isinstance(error, kind)
+    return False

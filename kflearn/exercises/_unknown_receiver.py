@@ -34,10 +34,37 @@ def honest_share(low=0.5, high=2.0):
     return value
 
 
+def of_errors(answers, recordings):
+    """What to look at where the errors are too large."""
+    if all(
+        np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in zip(answers, recordings, strict=True)
+    ):
+        return "Your positions are the readings themselves: a filter with the right R is nearer to the truth."
+    return "That is more than a filter with the right R needs. Does each recording get an R of its own?"
+
+
+def lacks_Q(answer):
+    """Whether the covariances are those of F P Fᵀ and a reading of the position, without a Q in between."""
+    cov = pair(answer)[1]
+    gained = np.linalg.inv(cov[1:20]) - np.linalg.inv(F @ cov[:19] @ F.T)
+    return np.allclose(gained[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max())
+
+
+def of_claims(answers, recordings):
+    """What to look at where the claims are too small."""
+    if all(map(lacks_Q, answers)):
+        return "The claim is too small: your P moves with F but gains no Q. Is Q added in each prediction?"
+    if all(
+        np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in zip(answers, recordings, strict=True)
+    ):
+        return "The claim is too small for the readings themselves: theirs is R, different in each recording."
+    return "The claim is too small: is R the variance, and does every recording get its own?"
+
+
 # ---- designs
 
 
-def run(z, R):
+def run(z, R, Q=Q):
     """The lesson's filter: the means, the covariances and the NIS."""
     x, P, means, covs, scores = MEAN, COV, [], [], []
     for reading in z:
@@ -80,5 +107,6 @@ FAILING = {
     "raw readings": lambda z: (np.stack([z, 0 * z], axis=1), np.tile(np.diag([np.var(np.diff(z)) / 2, 25]), (STEPS, 1, 1))),
     "too modest": lambda z: run(z, np.var(np.diff(z, 2)))[:2],
     "too sure": lambda z: run(z, np.var(np.diff(z, 2)) / 36)[:2],
+    "Q forgotten": lambda z: run(z, np.var(np.diff(z, 2)) / 6, 0 * Q)[:2],
     "R from the scatter of z": lambda z: run(z, np.var(z))[:2],
 }  # fmt: skip

@@ -118,26 +118,6 @@ WRONG = {
             lambda Q, R: R * (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2 + Q,
             "That is P⁻, the variance before the reading, in V². The gain is P⁻/(P⁻ + R), a pure number.",
         ),
-        "1 steps": (
-            lambda Q, R: after(Q, R, 1),
-            "After 1 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
-        ),
-        "2 steps": (
-            lambda Q, R: after(Q, R, 2),
-            "After 2 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
-        ),
-        "5 steps": (
-            lambda Q, R: after(Q, R, 5),
-            "After 5 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
-        ),
-        "10 steps": (
-            lambda Q, R: after(Q, R, 10),
-            "After 10 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
-        ),
-        "20 steps": (
-            lambda Q, R: after(Q, R, 20),
-            "After 20 steps the recursion has not yet come to rest, where Q is small beside R. Let it run for a hundred.",
-        ),
         "q": (lambda Q, R: Q / R, "That is the ratio q = Q/R. The gain follows from it: K² + qK − q = 0."),
         "√q": (
             lambda Q, R: math.sqrt(Q / R),
@@ -166,11 +146,7 @@ WRONG = {
         "x == nan": (
             lambda x: (x == np.nan).any(),
             "NaN equals nothing, not even itself, so x == np.nan is always False: use np.isnan.",
-            "==",
-        ),
-        "always False": (
-            lambda x: False,
-            "Your function says False whatever the state is. Ask each entry with np.isnan first, and any() afterwards.",
+            r"== *(np|numpy|math)?\.?nan|nan *==|float\(.nan.\)",
         ),
         "always True": (lambda x: True, "Your function says True whatever the state is."),
         "each entry": (

@@ -101,6 +101,58 @@ def nees(answers, truths):
     return np.mean((estimates - voltage) ** 2 / variances)
 
 
+# ---- what to look at, from what the results do
+
+
+def moves_in_gaps(answers, recordings):
+    """Whether estimates change between two missing readings."""
+    return any(
+        _gaps(a, r, 0).any() and abs(_gaps(a, r, 0)).max() > 1e-9 for a, r in zip(answers, recordings, strict=True)
+    )
+
+
+def grows_in_gaps(answers, recordings):
+    """Whether the variances grow by Q from one missing reading to the next."""
+    return all(np.allclose(_gaps(a, r, 1), r[0][1], rtol=1e-3) for a, r in zip(answers, recordings, strict=True))
+
+
+def _gaps(answer, recording, part):
+    """The changes of the estimates (0) or variances (1) between two missing readings."""
+    missing = recording[1].missing
+    return np.diff(flat(answer)[part])[missing[1:] & missing[:-1]]
+
+
+def before_gaps(answers, recordings):
+    """What to look at where too few are inside in the gaps."""
+    if moves_in_gaps(answers, recordings):
+        return "Your estimate moves from one missing reading to the next: does a NaN count as a number, such as 0? The estimate has to stay."
+    if grows_in_gaps(answers, recordings):
+        return "P grows by Q in the gaps, as it should. Look at the x and the P with which a gap begins."
+    return "P has to grow by Q for each reading that is missing: yours does not."
+
+
+def at_readings(answers, recordings):
+    """What to look at where too few are inside at readings."""
+    if moves_in_gaps(answers, recordings):
+        return "After a gap the errors are too large for your variances: mend the gaps first."
+    return "The variances are too small. Has P grown by Q before each gain, and is it P that you return, not its root?"
+
+
+def of_errors(answers, recordings):
+    """What to look at where the errors are too large."""
+    if moves_in_gaps(answers, recordings):
+        return "In the gaps your estimate moves although nothing was read: does a NaN count as a number, such as 0?"
+    if all(
+        np.allclose(flat(a)[0][~t.missing], z[~t.missing]) for a, ((z, *_), t) in zip(answers, recordings, strict=True)
+    ):
+        return "Your estimates are the readings themselves: with the gain K only a part of each reading counts."
+    late = [np.mean(np.square(flat(a)[0][50:] - t.best[49:-1])) for a, (_, t) in zip(answers, recordings, strict=True)]
+    now = [np.mean(np.square(flat(a)[0][50:] - t.best[50:])) for a, (_, t) in zip(answers, recordings, strict=True)]
+    if np.mean(late) < 0.01 * np.mean(now):
+        return "Your estimates are one reading late: keep x *after* the correction with that reading, not the prediction for it."
+    return "Does the gain come from this recording's Q and R, and is it formed anew for each reading?"
+
+
 # ---- designs
 
 
@@ -143,5 +195,8 @@ FAILING = {
     "gaps filled with the last reading": lambda z, Q, R: filtered(last_reading(z), Q, R),
     "gaps filled with zeros": lambda z, Q, R: filtered(np.nan_to_num(z), Q, R),
     "mean of all so far": lambda z, Q, R: filtered(z, 0.0, R),
+    "predictions": lambda z, Q, R: tuple(
+        np.append(part[:1], part[:-1]) + k * Q for k, part in enumerate(filtered(z, Q, R))
+    ),
     "steady gain 0.618": lambda z, Q, R: filtered(z, R, R),
 }

@@ -6,7 +6,8 @@ from kflearn import angle_difference
 from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
-from kflearn.exercises._speaker import FAILING, PASSING, off, recording
+from kflearn.exercises._slips_06_09 import WRONG as SLIPS
+from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -27,8 +28,8 @@ def repairs(prediction, update):
 
 
 def differences(rng):
-    """A difference of two bearings, one of which may have gone round several times; never half a turn."""
-    return (float(rng.integers(-1440, 1440)) + 0.5,)
+    """A difference of two bearings, one of which may have gone round many times; never half a turn."""
+    return (float(rng.integers(-1440, 1440) * rng.choice([1, 25])) + 0.5,)
 
 
 @exercise(
@@ -85,9 +86,11 @@ def offset(x1, K, dt):
 
 
 def beliefs(rng):
-    """A covariance of angle and rate, a Q with corners, and a time step."""
+    """A P of angle and rate, half of them not symmetric (as the published ones), a Q with corners, and a time step."""
     root, jolts = rng.integers(1, 5, (2, 2)) / 2, rng.integers(1, 5, (2, 2)) / 4
-    return root @ root.T + np.eye(2), jolts @ jolts.T, float(rng.integers(1, 11) / 10)
+    P, dt = root @ root.T + np.eye(2), float(rng.integers(1, 11) / 10)
+    P[1, 0] += rng.integers(1, 9) / 4 * (rng.random() < 0.5)
+    return P, jolts @ jolts.T, dt
 
 
 @exercise(
@@ -97,7 +100,7 @@ def beliefs(rng):
         "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
-    wrong=WRONG["right_prediction"],
+    wrong=WRONG["right_prediction"] | SLIPS["right_prediction"],
     then="From a symmetric P comes a symmetric one. The published prediction fails this test, which takes one line.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
@@ -105,7 +108,7 @@ def beliefs(rng):
     },
 )
 def right_prediction(P, Q, dt):
-    """The covariance of angle and rate one step of dt later. Q is any covariance (2, 2), with corners too."""
+    """The covariance of angle and rate one step of dt later. Q has corners too; P (2, 2) need not be symmetric."""
     F = np.array([[1, dt], [0, 1]])
     return F @ P @ F.T + Q
 
@@ -150,15 +153,14 @@ def right_update(P, K):
             "error with one speaker (rms, the short way round)",
             off(False),
             high=3,
-            above="Do echoes of 11 to 14 readings pull the estimate? Is the first reading an echo, and believed? "
-            "Is every difference taken the short way round?",
+            above=of_one,
             unit="°",
         ),
         Mark(
             "error with two speakers (the 30 readings after the change do not count)",
             off(True),
             high=3,
-            above="After a change the filter must come to the new speaker within 30 readings: does your gate open again?",
+            above=of_two,
             unit="°",
         ),
     ],

@@ -35,8 +35,8 @@ def exercise(
         from the learner's last answer, None before there was one.
     wrong : dict, optional
         {label: (wrong answer, sentence that teaches)}. The wrong answer is a value, or a function without parameters
-        that computes it; for a function exercise it is a function that errs. A third part, such as "==", is what must
-        stand in the learner's function for the sentence to be true of it.
+        that computes it; for a function exercise it is a function that errs. A third part, such as "==", is a pattern
+        (`re`) that must stand in the learner's function for the sentence to be true of it.
     inputs : function(Generator), optional
         For a function exercise: returns one tuple of valid inputs. Round numbers, such as `rng.integers(1, 9, 2) / 2`,
         read well in the sentence about a failing case.
@@ -51,7 +51,7 @@ def exercise(
     fixed : dict, optional
         {parameter: why}: inputs that are the same in all trials, or of one size.
     also : list, optional
-        Other values that are right, such as one with 1.96 σ where the solution takes 2 σ.
+        Other values that are right, such as one with 1.96 σ where the solution takes 2 σ; or other functions.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def exercise(
     def make(solution):
         settings = (solution, hints, wrong or {}, unit, rtol, atol, then)
         if inspect.signature(solution).parameters:
-            return FunctionExercise(*settings, inputs, fixed or {})
+            return FunctionExercise(*settings, inputs, fixed or {}, also)
         if inputs is not None:
             raise ValueError(f"{solution.__name__}: inputs are given, but the solution has no parameters")
         right = solution()

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
+from kflearn.exercises._slips_00_05 import WRONG as SLIPS
 from kflearn.exercises.engine import exercise
 
 
@@ -44,7 +45,7 @@ def third_opinion():
         "`return mean_x + K * (mean_z - mean_x), var_x * (1 - K)`",
     ],
     inputs=two_opinions,
-    wrong=WRONG["fuse"],
+    wrong=WRONG["fuse"] | SLIPS["fuse"],
     then="Exchange the two opinions and the result is the same: the formula does not ask which of them came first.",
 )
 def fuse(mean_x, var_x, mean_z, var_z):
@@ -75,7 +76,7 @@ def readings_needed():
         "`mean = (mean_x * var_z + mean_z * var_x) / (var_x + var_z)`, `variance = var_x * var_z / (var_x + var_z)`",
     ],
     inputs=two_opinions,
-    wrong=WRONG["published_claim"],
+    wrong=WRONG["published_claim"] | SLIPS["published_claim"],
     then="The fused variance is smaller than both, 0.83 m² from 5 and 1 m². The published sentence understates the knowledge and misses the position.",
 )
 def published_claim(mean_x, var_x, mean_z, var_z):

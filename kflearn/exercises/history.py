@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._history import WRONG, wrong_lines
+from kflearn.exercises._slips_00_05 import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -119,7 +120,7 @@ def gains_and_lengths(rng, n):
         "`w = K * (1 - K) ** np.arange(n)`, then `w[-1] = (1 - K) ** (n - 1)`, then `return w`",
     ],
     inputs=in_turn(gains_and_lengths, 2, 4, 3, 7, 1),
-    wrong=WRONG["exponential_weights"],
+    wrong=WRONG["exponential_weights"] | SLIPS["exponential_weights"],
     then="They sum to 1 for every n; for n = 1 the single weight is 1, since the first reading is all there is.",
 )
 def exponential_weights(K, n):

@@ -7,8 +7,9 @@ from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
+from kflearn.exercises._slips_06_09 import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, recording
+from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, of_claims, of_errors, recording
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -40,7 +41,7 @@ def errors_and_claims(rng, n):
         "return e @ np.linalg.solve(P, e)",
     ],
     inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
-    wrong=WRONG["nees"],
+    wrong=WRONG["nees"] | SLIPS["nees"],
     then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
 def nees(e, P):
@@ -97,7 +98,7 @@ def errors_and_variances(rng, count):
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
     inputs=in_turn(errors_and_variances, 5, 12, 60, 7),
-    wrong=WRONG["share_inside"],
+    wrong=WRONG["share_inside"] | SLIPS["share_inside"],
     then="Of one number 68.3 % should be inside. Of a state with two components only 39 % belong inside its 1σ ellipse: why fewer?",
 )
 def share_inside(e, P):
@@ -117,7 +118,7 @@ def start_beliefs(rng, n):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
-    wrong=WRONG["draw_start"],
+    wrong=WRONG["draw_start"] | SLIPS["draw_start"],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )
 def draw_start(mean, variances, normal):
@@ -138,7 +139,7 @@ def draw_start(mean, variances, normal):
             "position error (rms)",
             rms(0),
             high=7.5,
-            above="That is more than a filter with the right R needs. Does each recording get an R of its own?",
+            above=of_errors,
             unit="m",
         ),
         Mark(
@@ -146,7 +147,7 @@ def draw_start(mean, variances, normal):
             inside(0),
             90,
             98,
-            below="The claim is too small: is R the variance, and does every recording get its own?",
+            below=of_claims,
             above="The claim is too large: fewer would be inside with an honest σ.",
             unit="%",
         ),
@@ -156,13 +157,13 @@ def draw_start(mean, variances, normal):
             0.75,
             1.35,
             below="Too modest: the squared errors are smaller than claimed. Is your R too large?",
-            above="Too sure: the squared errors are larger than claimed. Is your R too small in some recordings?",
+            above=of_claims,
         ),
         Mark(
             "recordings whose own NEES / n is between 0.4 and 2.5",
             honest_share(0.4, 2.5),
             low=80,
-            below="A mean over all recordings can hide this: some are too sure, others too modest. Find R for each.",
+            below="Each recording is judged by itself here: a mean over all can hide that some are too sure and others too modest.",
             unit="%",
         ),
     ],

@@ -5,6 +5,7 @@ import itertools
 import numpy as np
 
 from kflearn.exercises._newton_to_state_space import WRONG
+from kflearn.exercises._slips_00_05 import WRONG as SLIPS
 from kflearn.exercises.engine import exercise
 
 
@@ -288,7 +289,7 @@ def steps_and_sigmas(rng):
         "`G = np.array([[T**2 / 2], [T]])`, and Q as before: `return sigma**2 * G @ G.T`",
     ],
     inputs=steps_and_sigmas,
-    wrong=WRONG["held_push"],
+    wrong=WRONG["held_push"] | SLIPS["held_push"],
     then="At T = 1 s the published G is right, and its program had T = 2 s. Try a formula with a step that is not 1.",
 )
 def held_push(T, sigma):

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn import rmse
 from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
+from kflearn.exercises._slips_06_09 import WRONG as SLIPS
 from kflearn.exercises._temperature_and_free_fall import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -24,7 +25,7 @@ def rooms(rng):
         "Two changes: `K * (reading - x)` and `np.sqrt((1 - K) * P)`.",
     ],
     inputs=rooms,
-    wrong=WRONG["mended_step"],
+    wrong=WRONG["mended_step"] | SLIPS["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
     then="With the truth in place of the reading the error looks far smaller than an honest filter's: no real room tells its temperature.",
 )
@@ -112,7 +113,7 @@ def draws(rng, steps):
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
     inputs=in_turn(draws, 3, 5, 2, 1, 6),
-    wrong=WRONG["noise"],
+    wrong=WRONG["noise"] | SLIPS["noise"],
     fixed={"Q": "height and velocity are two states, so Q is always two by two"},
     then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
 )

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises import _two_fixes
-from kflearn.exercises._cart_with_gaps import FAILING, PASSING, recording
+from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, of_claims, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._train_and_ship import WRONG
@@ -231,8 +231,20 @@ def two_point_start(z0, z1, dt, R):
             nees(),
             0.85,
             1.2,
-            below="Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?",
-            above="Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?",
+            below=of_claims(
+                "Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?"
+            ),
+            above=of_claims(
+                "Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?"
+            ),
+        ),
+        Mark(
+            "NEES / n where dt = 2 s",
+            honest_at(2),
+            0.7,
+            1.35,
+            below="Too modest where the steps are long: how does Q depend on dt?",
+            above=of_claims("Too sure where the steps are long: how does Q depend on dt?"),
         ),
     ],
     form=track(2),

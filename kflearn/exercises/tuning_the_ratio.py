@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import is_about
+from kflearn.exercises._slips_06_09 import WRONG as SLIPS
 from kflearn.exercises._tuning_the_ratio import WRONG
 from kflearn.exercises._tuning_the_ratio_readings import WRONG as MORE
 from kflearn.exercises._turns import in_turn
@@ -110,7 +111,8 @@ def drifting_recordings(rng, n):
     ],
     inputs=in_turn(drifting_recordings, 300, 400, 900),
     rtol=7e-3,
-    wrong=MORE["R_with_drift"],
+    also=[lambda readings: np.mean(np.diff(readings, n=2) ** 2) / 6],
+    wrong=MORE["R_with_drift"] | SLIPS["R_with_drift"],
     then="It works as long as the drift from one reading to the next is small beside the noise. What would a sudden step of the source do to it?",
 )
 def R_with_drift(readings):

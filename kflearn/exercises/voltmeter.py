@@ -7,6 +7,7 @@ import numpy as np
 from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
+from kflearn.exercises._slips_00_05 import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._voltmeter import WRONG
 from kflearn.exercises._voltmeter_start import WRONG as MORE
@@ -45,7 +46,7 @@ def noises(rng):
     ],
     inputs=noises,
     rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
-    wrong=WRONG["steady_gain"],
+    wrong=WRONG["steady_gain"] | SLIPS["steady_gain"],
     then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
 def steady_gain(Q, R):
@@ -70,7 +71,7 @@ def starts(rng, n):
         "`return np.isnan(x).any()`",
     ],
     inputs=in_turn(starts, 1, 3, 2, 5),
-    wrong=WRONG["is_unknown"],
+    wrong=WRONG["is_unknown"] | SLIPS["is_unknown"],
     then="One NaN spreads at once: in F @ x each entry becomes NaN, even where F has a zero, because 0 · NaN is NaN.",
 )
 def is_unknown(x):
@@ -92,7 +93,7 @@ def first_measurements(rng, n):
         "`A = np.linalg.inv(H)`, then `return A @ z, A @ R @ A.T`",
     ],
     inputs=in_turn(first_measurements, 1, 2, 3, 2),
-    wrong=MORE["auto_start"],
+    wrong=MORE["auto_start"] | SLIPS["auto_start"],
     then="A correction that starts from any x with a P that grows beyond all bounds tends to the same x and P: this is the start of somebody who knew nothing.",
 )
 def auto_start(z, H, R):
@@ -169,7 +170,7 @@ def best_error():
             "error, compared with that of the best filter",
             judge.error_ratio,
             high=1.05,
-            above="Does the gain come from this recording's Q and R, and is it formed anew for each reading?",
+            above=judge.of_errors,
         ),
         Mark(
             "truth inside ±2σ where there is a reading",
@@ -177,7 +178,7 @@ def best_error():
             low=93,
             high=97.5,
             unit="%",
-            below="The variances are too small. Has P grown by Q before each gain, and is it P that you return, not its root?",
+            below=judge.at_readings,
             above="The variances are too large. Is each of them the one after the reading, (1 − K)P?",
         ),
         Mark(
@@ -186,7 +187,7 @@ def best_error():
             low=90,
             high=99,
             unit="%",
-            below="P has to grow by Q for each reading that is missing.",
+            below=judge.before_gaps,
             above="In a gap P grows by Q, once for each missing reading, and by no more.",
         ),
         Mark(

@@ -198,7 +198,7 @@ def test_a_loop_that_never_ends_is_stopped(monkeypatch):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda m, v: (v, m), "The results are right, but in the wrong order: first value 1, as the text says."),
+        (lambda m, v: (v, m), "The results are right, but they are wanted in the other order."),
         (lambda m, v: (m, v**0.5), "The rest is right. Value 2 of the result is the square root of what is wanted"),
         (lambda m, v: (m, v**2), "is the square of what is wanted"),
         (lambda m, v: (m, 1 - v), "is 1 minus what is wanted"),
