@@ -28,6 +28,18 @@ def without_Q(x, P, F, Q, x_next, P_next):
     return x + G @ (x_next - F @ x), P + G @ (P_next - F @ P @ F.T) @ G.T
 
 
+def twice_on_predicted(x, P, F, Q, x_next, P_next):
+    P_pred = F @ P @ F.T + Q
+    G = P @ F.T @ np.linalg.inv(P_pred)
+    return x + G @ (x_next - F @ x), P + G @ (P_next - G @ P_pred) @ G.T
+
+
+def transposed_sides(x, P, F, Q, x_next, P_next):
+    P_pred = F @ P @ F.T + Q
+    G = P @ F.T @ np.linalg.inv(P_pred)
+    return x + G @ (x_next - F @ x), P + G.T @ (P_next - P_pred) @ G
+
+
 def one_sided(x, P, F, Q, x_next, P_next):
     P_pred = F @ P @ F.T + Q
     G = P @ F.T @ np.linalg.inv(P_pred)
@@ -43,6 +55,11 @@ def meet(x, P, x_back, P_back, z, R, taken=1.0):
     """Both beliefs, and z with its weight taken out `taken` times."""
     information = 1 / P + 1 / P_back - taken / R
     return (x / P + x_back / P_back - taken * z / R) / information, 1 / information
+
+
+def inverses_of_entries(P, P_back):
+    with np.errstate(all="ignore"):
+        return 1 / (1 / P + 1 / P_back)
 
 
 WRONG = {}
@@ -106,6 +123,41 @@ WRONG["step_back"] = {
         step(gain=lambda P, F, P_pred: P @ F.T / P_pred),
         "You divided by P⁻ entry by entry. For matrices it is the inverse: `P @ F.T @ np.linalg.inv(P_pred)`.",
     ),
+    "Q forgotten in the gain": (
+        step(gain=lambda P, F, P_pred: np.linalg.inv(F)),
+        "Your gain is F⁻¹, as it is without Q: then all that was wrong at k+1 would have been wrong at k already. The gain "
+        "is P Fᵀ (P⁻)⁻¹ with P⁻ = F P Fᵀ + Q.",
+    ),
+    "G twice on P⁻": (
+        twice_on_predicted,
+        "The mean is right. In the covariance you multiplied P⁻ by G once too often: G (P_next − P⁻) Gᵀ.",
+    ),
+    "run backwards": (
+        lambda x, P, F, Q, x_next, P_next: (
+            np.linalg.inv(F) @ x_next,
+            np.linalg.inv(F) @ (P_next + Q) @ np.linalg.inv(F).T,
+        ),
+        "You ran the model backwards from step k+1. That forgets what the filter knew about step k, x and P.",
+    ),
+    "Gᵀ on the left": (
+        transposed_sides,
+        "The mean is right. In the covariance G stands on the left and Gᵀ on the right.",
+    ),
+    "F before the gain": (
+        step(gain=lambda P, F, P_pred: F @ P @ F.T @ np.linalg.inv(P_pred)),
+        "Your gain begins with F P Fᵀ. The covariance of now and next is P Fᵀ.",
+    ),
+    "inverse on the left": (
+        step(gain=lambda P, F, P_pred: np.linalg.inv(P_pred) @ P @ F.T),
+        "In your gain the inverse stands on the left. It is P Fᵀ (P⁻)⁻¹.",
+    ),
+    "from the prediction": (
+        lambda x, P, F, Q, x_next, P_next: (
+            F @ x - x + rts(x, P, F, Q, x_next, P_next)[0],
+            rts(x, P, F, Q, x_next, P_next)[1],
+        ),
+        "The covariance is right. The mean begins with F x, the prediction for k+1. Step k is asked for: begin with x.",
+    ),
     "P as it was": (
         step(change=lambda P, P_next, P_pred: 0 * P),
         "The mean is right. The covariance is still the filter's: it changes by G (P_next − P⁻) Gᵀ.",
@@ -144,6 +196,22 @@ WRONG["smoothed_cov"] = {
     "entry by entry": (
         lambda P, P_back: P * P_back / (P + P_back),
         "Right for a single number. Entry by entry it forgets the tilt, which brought more than half of the gain.",
+    ),
+    "inverses entry by entry": (
+        inverses_of_entries,
+        "You took 1/P entry by entry. The inverse of a matrix is `np.linalg.inv(P)`.",
+    ),
+    "variances only": (
+        lambda P, P_back: np.diag(1 / (1 / np.diag(P) + 1 / np.diag(P_back))),
+        "You fused the variances alone. The tilt brought more than half of the gain: fuse the whole matrices.",
+    ),
+    "subtracted": (
+        lambda P, P_back: P - P_back,
+        "You subtracted the covariances. It is the inverses that add, and the sum is inverted.",
+    ),
+    "quarter of the sum": (
+        lambda P, P_back: (P + P_back) / 4,
+        "That is the covariance of the plain mean of both. The best weights are not equal: add the inverses, then invert.",
     ),
     "the smaller": (
         lambda P, P_back: P if np.trace(P) < np.trace(P_back) else P_back,
