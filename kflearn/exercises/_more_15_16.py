@@ -89,10 +89,6 @@ MORE = {
             1.0,
             "1 would be an honest start, as a mean of the six. Asked is the sum of six ratios, and here each of them is small.",
         ),
-        "one state": (
-            0.01,
-            "0.01 is the ratio of a single state. Add up the ratios of all six.",
-        ),
     },
     "transition": {
         "stays over T, at most 1": (

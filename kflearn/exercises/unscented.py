@@ -252,7 +252,7 @@ def redrawn(mean, P, Q, scale):
         "acceleration forgotten": (0.04, "The accelerations are missing: they bring 0.0001/0.1 twice."),
         "quotient of the sums": (
             2.0202 / 202.2,
-            "You divided the sums. Each component has its own unit and its own claim: first divide, then add.",
+            "That is the quotient of the sums, or a single ratio. Each component has its own unit and its own claim: divide each, then add all six.",
         ),
         "real variances": (
             2.0202,
