@@ -85,7 +85,8 @@ MARKS = [
         rms(0, 36),
         high=3.9,
         unit="m",
-        above="Is there a gate for readings that are far off, and has each step its own F and Q, with its own Δt?",
+        above="Is there a gate for readings that are far off, by the NIS of two numbers? At 9 it refuses one good reading in 90, at 3 one "
+        "in five. And has each step its own F and Q, with its own Δt?",
     ),
     Mark(
         "error of the speed towards east (rms)",

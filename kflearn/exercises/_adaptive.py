@@ -95,6 +95,22 @@ WRONG["matrix_R"] = {
         "You multiplied the mean innovation by itself. C is the mean of the products y yᵀ: first multiply, then "
         "average.",
     ),
+    "diagonal of the whole": (
+        lambda y, H, P: np.diag(np.diag(estimate(y, H, P))),
+        "The variances are right. The other entries are not 0: they tell what the sensors' errors have in common. Keep them.",
+    ),
+    "y yᵀ of all": (
+        lambda y, H, P: y @ y.T / len(y) - H @ P @ H.T,
+        "`y @ y.T` has one row for each innovation. The rows of y are the innovations, so the sum of all y yᵀ is `y.T @ y`.",
+    ),
+    "with a floor": (
+        lambda y, H, P: np.maximum(estimate(y, H, P), 0.01),
+        "You put a floor under R̂. The text asks for R̂ without one; and a floor belongs under variances only, not under every entry.",
+    ),
+    "made positive": (
+        lambda y, H, P: abs(estimate(y, H, P)),
+        "You took the size of each entry. What the sensors' errors have in common may be negative; and no floor is asked for.",
+    ),
     "diagonals": (
         lambda y, H, P: np.mean(y**2, axis=0) - np.diag(H @ P @ H.T),
         "Those are the variances of the sensors, and they are right. R̂ is a matrix: its other entries tell what "
@@ -152,6 +168,22 @@ WRONG["weigh"] = {
         floored,
         "A floor keeps the weight alive, and lies about it: e⁻²⁰⁰⁰ becomes e⁻⁶⁹¹, and the model comes back far too "
         "early. Keep the logarithm, it has room enough.",
+    ),
+    "floored, largest left in": (
+        lambda logs, likelihoods: (lambda p: np.log(p / p.sum()))(np.maximum(np.exp(logs + likelihoods), 1e-300)),
+        "A floor of 1e-300 makes all that are below it equal. Do not go through exp: subtract log Σ exp(s) from s.",
+    ),
+    "cut off at −700": (
+        lambda logs, likelihoods: np.maximum(settled(logs + likelihoods), -700),
+        "You cut the logarithms off at −700. −20000 is an ordinary number for a logarithm: leave it, so that it can rise again.",
+    ),
+    "divided by the likelihood": (
+        lambda logs, likelihoods: settled(logs - likelihoods),
+        "You subtracted the log-likelihoods. A weight is multiplied by its likelihood: add the logarithms.",
+    ),
+    "powers of ten": (
+        lambda logs, likelihoods: settled(logs + likelihoods) / np.log(10),
+        "Those are logarithms to the base 10. The weights' logarithms are natural ones.",
     ),
     "weights": (
         lambda logs, likelihoods: np.exp(settled(logs + likelihoods)),

@@ -87,6 +87,10 @@ WRONG["true_radius"] = {
         "Two dilations with a cross do not give back what two erosions with a square took: count the region as it"
         " stands in `differs`.",
     ),
+    "label 1": (
+        lambda d: disc_radius(ndimage.label(d)[0] == 1),
+        "Label 1 is the region that comes first, at the top left: here it is a stray pixel. The ball is the one that holds the eroded core.",
+    ),
     "scaled": (
         lambda d: disc_radius(core(d)) * 14 / 11.84,
         "14/11.84 is right for the ball of the film only. Another ball loses another share of its radius: count "

@@ -202,6 +202,22 @@ WRONG["gravity"] = {
         "A mean row near the floor may come from one above and one below, and it says nothing about a hidden "
         "frame: each of the three must be near.",
     ),
+    "two pixels": (
+        lambda rows: 0.0 if np.all(abs(rows - 210) < 2) else 6.0,
+        "Within 2 px is too wide: the text says 1 px, on both sides.",
+    ),
+    "median": (
+        lambda rows: 0.0 if near(np.median(rows)) else 6.0,
+        "A median near the floor says that two of the rows may be near, or one above and one below. Each of the three must be near.",
+    ),
+    "first and last": (
+        lambda rows: 0.0 if near(rows)[[0, -1]].all() else 6.0,
+        "You looked at the first and the last frame. The one between must be near as well.",
+    ),
+    "last two": (
+        lambda rows: 0.0 if near(rows)[1:].all() else 6.0,
+        "You looked at the last two frames. All three must be near.",
+    ),
     "rounded": (
         lambda rows: 0.0 if np.all(np.round(rows) == 210) else 6.0,
         "That is within half a pixel. One pixel was asked for: the absolute difference from 210, below 1.",

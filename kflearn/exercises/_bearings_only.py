@@ -13,6 +13,14 @@ def published(east, north):
     return 1.5 * math.pi + slope if east > 0 else math.pi + slope
 
 
+def without_abs(east, north):
+    """The published function with its `abs` taken away, and nothing else."""
+    slope = math.atan(north / east)
+    if north >= 0:
+        return slope if east > 0 else math.pi / 2 + slope
+    return 1.5 * math.pi + slope if east > 0 else math.pi + slope
+
+
 def half_mended(quadrant):
     """The published function with one of its two wrong quadrants mended."""
 
@@ -36,6 +44,11 @@ WRONG = {
         "quadrant 4 mended": (
             half_mended(4),
             "Quadrant 4 is mended. Quadrant 2 has the same fault: there one comes back from half a turn.",
+        ),
+        "without abs": (
+            without_abs,
+            "Without `abs` the arctangent is negative in quadrants 2 and 4, and you still add it to a quarter turn or to three. "
+            "Add it to half a turn in quadrant 2, to a whole turn in quadrant 4.",
         ),
         "from −π to π": (
             lambda east, north: math.atan2(north, east),
@@ -131,6 +144,10 @@ WRONG = {
         "180 not squared": (
             lambda sd: (sd * math.pi) ** 2 / 180,
             "Square the whole of sd·π/180, the 180 as well.",
+        ),
+        "sd not squared": (
+            lambda sd: sd * math.radians(1) ** 2,
+            "The factor (π/180)² is right. `sd` is squared as well: (sd · π/180)².",
         ),
         "a whole turn": (
             lambda sd: (sd * math.pi / 360) ** 2,

@@ -51,7 +51,7 @@ WRONG = {
                 )[0],
                 P,
             ),
-            "x is right. P has to shrink by the factor 1 − K·H.",
+            "Your x is right. P has to shrink by the factor 1 − K·H.",
         ),
         "P without H": (
             lambda x, P, reading, nominal: (
@@ -60,7 +60,7 @@ WRONG = {
                 )[0],
                 P - P * nominal / off(nominal) / ((nominal / off(nominal)) ** 2 * P + 4) * P,
             ),
-            "x is right. In P you have 1 − K; it must be 1 − K·H, for the distance does not measure x one to one.",
+            "Your x is right. In P you have 1 − K; it must be 1 − K·H, for the distance does not measure x one to one.",
         ),
         "sign of the innovation": (
             lambda x, P, reading, nominal: corrected(
@@ -70,7 +70,7 @@ WRONG = {
         ),
         "nothing": (
             lambda x, P, reading, nominal: (x, P),
-            "Nothing was corrected: the reading has to come in.",
+            "Your result is x and P as they were. Either the reading does not come in, or the slope is 0, as it is at a nominal place of 0: use `nominal`.",
         ),
         "line through zero": (
             lambda x, P, reading, nominal: corrected(
@@ -125,7 +125,7 @@ WRONG = {
                 )[0],
                 corrected(x, P, 0, x / off(x))[1],
             ),
-            "x is right. P still uses the slope at the estimate: take the nominal's H there as well.",
+            "Your x is right. P still uses the slope at the estimate: take the nominal's H there as well.",
         ),
     },
 }

@@ -165,7 +165,7 @@ WRONG["late_row"] = {
     ),
     "K S Kᵀ": (
         correct_with(lambda K, full, P, H, R, c: P - K @ (H @ P @ H.T + R) @ K.T),
-        "P − K S Kᵀ holds for the best gain only, like (9). After the row is zeroed use (9J).",
+        "That is P − K S Kᵀ, with the row and the column of the considered state as they were before the reading. It holds for the best gain only, like (9): after the row is zeroed use (9J).",
     ),
     "x with the full gain": (
         correct_with(lambda K, full, P, H, R, c: joseph(K, P, H, R), mean_gain="full"),
@@ -210,6 +210,34 @@ WRONG["economical"] = {
     "q in C": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C + q.sum(), fading**2 * B + q),
         "P and B are right. C gets no noise: what pushes the states and what renews the bias are independent.",
+    ),
+    "C transposed": (
+        lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * C.T @ F.T, fading**2 * B + q),
+        "P and B are right. C is turned on its side: one row a state, one column a bias.",
+    ),
+    "what is lost": (
+        moved(lambda C, F, fading: (1 - fading) * F @ C),
+        "P and B are right. 1 − fading is what fades in a step; what stays is fading · F C.",
+    ),
+    "root of fading": (
+        moved(lambda C, F, fading: fading**0.5 * F @ C),
+        "P and B are right. The bias is multiplied by `fading`, not by its root, and stands once in C.",
+    ),
+    "the largest q in C": (
+        lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C + q.max(), fading**2 * B + q),
+        "P and B are right. C gets no noise: what pushes the states and what renews the bias are independent.",
+    ),
+    "Q twice": (
+        lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + 2 * Q, fading * F @ C, fading**2 * B + q),
+        "C and B are right. In P you added Q twice.",
+    ),
+    "C in P": (
+        lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q + C @ C.T, fading * F @ C, fading**2 * B + q),
+        "C and B are right. P does not hold C: the bias moves no state in this prediction.",
+    ),
+    "C first": (
+        lambda P, C, B, F, fading, Q, q: (fading * F @ C, F @ P @ F.T + Q, fading**2 * B + q),
+        "All three are right, in the wrong order: P, C, B.",
     ),
     "B faded once": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C, fading * B + q),

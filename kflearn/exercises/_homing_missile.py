@@ -95,6 +95,19 @@ WRONG = {
             lambda e: [np.sqrt(s.mean(axis=0) / 3) for s in three(e)],
             "You averaged over the three axes as well, which gives the RMS *per axis*, smaller by √3. Sum over the axes.",
         ),
+        "every third": (
+            lambda e: [np.sqrt(np.mean(np.sum(e[..., k::3] ** 2, axis=-1), axis=0)) for k in (0, 1, 2)],
+            "`k::3` takes every third state, one of the position, one of the velocity, one of the acceleration. The three "
+            "of a kind stand side by side: `k : k + 3`.",
+        ),
+        "in the wrong order": (
+            lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[::-1]],
+            "The three series are right, in the wrong order: position, velocity, acceleration.",
+        ),
+        "the worst": (
+            lambda e: [np.sqrt(s.max(axis=0)) for s in three(e)],
+            "You took the worst run. Asked is the root of the *mean* of the squares over the runs.",
+        ),
         "no root": (
             lambda e: [s.mean(axis=0) for s in three(e)],
             "These are mean squares, in m²: the root is missing.",

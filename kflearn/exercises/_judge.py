@@ -127,8 +127,10 @@ def track(states, names="mean and covariance"):
     """A form: mean (T, n) and covariance (T, n, n) for each reading, as a pair or anything with .mean and .cov."""
 
     def form(answer, truth):
-        mean, cov = pair(answer)
         T = len(truth)
+        if _shape(answer) == (T, states):
+            return "holds the means only, and the covariance is missing: return means and covariances"
+        mean, cov = pair(answer)
         if np.shape(mean) != (T, states):
             return f"should hold a mean of shape {(T, states)}, but it is of shape {np.shape(mean)}"
         if np.shape(cov) != (T, states, states):
@@ -136,6 +138,14 @@ def track(states, names="mean and covariance"):
         return None
 
     return form
+
+
+def _shape(answer):
+    """The shape of an array of numbers, or of lists that make one; else None."""
+    try:
+        return np.asarray(answer, float).shape
+    except (TypeError, ValueError):
+        return None
 
 
 def series(answer, truth):

@@ -83,6 +83,28 @@ WRONG = {
             lambda x: radar_slope(x)[1],
             "That is the second row alone. The radar measures two things, so two rows are wanted.",
         ),
+        "entries exchanged": (
+            lambda x: radar_slope(x, sign=1)[:, [2, 1, 0, 3]] * [[0], [1]] + radar_slope(x) * [[1], [0]],
+            "You exchanged the two entries that hold `turn`. Each stands in its place; one of them has the wrong sign.",
+        ),
+        "power two in the third": (
+            lambda x: np.vstack([radar_slope(x)[0], [*radar_slope(x)[1, :2], *radar_slope(x, power=2)[1, 2:]]]),
+            "The sign is right now, but in this entry you left r²: the third power of the distance was right.",
+        ),
+        "speeds exchanged": (
+            lambda x: np.vstack([radar_slope(x)[0], radar_slope(x)[1, [0, 3, 2, 1]]]),
+            "The sign is mended. But the slopes for the two speeds, x/r and y/r, have changed places.",
+        ),
+        "north for east": (
+            lambda x: np.vstack(
+                [radar_slope(x)[0], [*radar_slope(x)[1, :2], -radar_slope(x)[1, 0], x[2] / np.hypot(x[0], x[2])]]
+            ),
+            "The sign is right now, but the entry in the column of y holds x[0] times `turn`, and you put x[2] there.",
+        ),
+        "first row negative": (
+            lambda x: radar_slope(x) * [[-1], [1]],
+            "The second row is right. In the first, the slope of the distance, you turned the signs: it was right.",
+        ),
         "the difference": (
             lambda x: radar_slope(x) - radar_slope(x, sign=1),
             "That is the difference of the two. It shows where the fault is; return the right Jacobian itself.",
@@ -100,6 +122,25 @@ WRONG = {
         "at the input": (
             lambda x, P, u: (grown(x, u), growth_slope(x + u) ** 2 * P + 10),
             "The input is added after the curve: it shifts the mean and changes no slope.",
+        ),
+        "slope at u": (
+            lambda x, P, u: (grown(x, u), growth_slope(u) ** 2 * P + 10),
+            "You took the slope at u, the input. It is taken at x, where the belief stood before it moved.",
+        ),
+        "slope with 2.5": (
+            lambda x, P, u: (grown(x, u), (0.5 + 2.5 * (1 - x**2) / (1 + x**2) ** 2) ** 2 * P + 10),
+            "The mean is right. In the slope the coefficient is 25, as in the model, not 2.5.",
+        ),
+        "2.5 in both": (
+            lambda x, P, u: (
+                x / 2 + 2.5 * x / (1 + x**2) + u,
+                (0.5 + 2.5 * (1 - x**2) / (1 + x**2) ** 2) ** 2 * P + 10,
+            ),
+            "The coefficient of the growth model is 25, in the curve and in its slope; you took 2.5.",
+        ),
+        "mean alone": (
+            lambda x, P, u: grown(x, u),
+            "The mean is right. Return its variance as well: F P F + 10.",
         ),
         "Q forgotten": (
             lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P),

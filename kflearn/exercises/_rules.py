@@ -5,6 +5,7 @@ The exercises' own sentences come first. A rule speaks only where it explains al
 """
 
 import copy
+import dis
 import inspect
 import re
 from itertools import pairwise
@@ -108,9 +109,12 @@ def _rounded(pairs):
 def unused(function, solve, cases, names, close) -> str | None:
     """The name of an argument on which the function's result does not depend, though it should; None if there is none.
 
-    Each argument is put in from another trial, where that trial's arguments have the same shapes.
+    Each argument is put in from another trial, where that trial's arguments have the same shapes. An argument that the
+    learner's own code reads is not named: it may cancel, or the trials may not show what it does.
     """
     for i, name in enumerate(names):
+        if _reads(function, i):
+            continue
         seen, needed = 0, 0
         for case, other in pairwise(cases):
             if _shapes(case) != _shapes(other):
@@ -126,6 +130,19 @@ def unused(function, solve, cases, names, close) -> str | None:
         if needed >= 2 and not seen:
             return name
     return None
+
+
+def _reads(function, i) -> bool:
+    """Whether a function's own code reads its argument number i, as far as the code can be looked at."""
+    code = getattr(function, "__code__", None)  # of a method as well
+    i += inspect.ismethod(function)
+    if code is None:
+        return False
+    if i >= code.co_argcount:
+        return True  # it comes in by a star: whatever is done with it cannot be seen
+    name = code.co_varnames[i]
+    read = [step.argval for step in dis.get_instructions(code) if not step.opname.startswith(("STORE", "DELETE"))]
+    return any(name == one or (isinstance(one, tuple) and name in one) for one in read)
 
 
 def _shapes(case):

@@ -2,41 +2,7 @@
 
 import numpy as np
 
-
-def rts(x, P, F, Q, x_next, P_next, gain=None, sign=-1):
-    """The step back, with a gain that may be wrong."""
-    P_pred = F @ P @ F.T + Q
-    G = P @ F.T @ np.linalg.inv(P_pred) if gain is None else gain(P, F, P_pred)
-    return x + G @ (x_next - F @ x), P + G @ (P_next + sign * P_pred) @ G.T
-
-
-def step(gain=None, compared=None, change=None):
-    """The step back with one part of it exchanged."""
-
-    def wrong(x, P, F, Q, x_next, P_next):
-        P_pred = F @ P @ F.T + Q
-        G = gain(P, F, P_pred) if gain else P @ F.T @ np.linalg.inv(P_pred)
-        news = compared(x, F, x_next) if compared else x_next - F @ x
-        less = change(P, P_next, P_pred) if change else P_next - P_pred
-        return x + G @ news, P + G @ less @ G.T
-
-    return wrong
-
-
-def without_Q(x, P, F, Q, x_next, P_next):
-    G = P @ F.T @ np.linalg.inv(F @ P @ F.T)
-    return x + G @ (x_next - F @ x), P + G @ (P_next - F @ P @ F.T) @ G.T
-
-
-def one_sided(x, P, F, Q, x_next, P_next):
-    P_pred = F @ P @ F.T + Q
-    G = P @ F.T @ np.linalg.inv(P_pred)
-    return x + G @ (x_next - F @ x), P + G @ (P_next - P_pred)
-
-
-def filtered_not_predicted(x, P, F, Q, x_next, P_next):
-    G = P @ F.T @ np.linalg.inv(F @ P @ F.T + Q)
-    return x + G @ (x_next - x), P + G @ (P_next - P) @ G.T
+from kflearn.exercises._smoothing_step import STEP_BACK
 
 
 def meet(x, P, x_back, P_back, z, R, taken=1.0):
@@ -45,80 +11,12 @@ def meet(x, P, x_back, P_back, z, R, taken=1.0):
     return (x / P + x_back / P_back - taken * z / R) / information, 1 / information
 
 
-WRONG = {}
+def inverses_of_entries(P, P_back):
+    with np.errstate(all="ignore"):
+        return 1 / (1 / P + 1 / P_back)
 
-WRONG["step_back"] = {
-    "Q forgotten": (
-        without_Q,
-        "You left Q out of the prediction. Then all that was wrong at k+1 was wrong at k already, and the filter's "
-        "own knowledge of step k is thrown away. P⁻ = F P Fᵀ + Q.",
-    ),
-    "F for its transpose": (
-        lambda *given: rts(*given, gain=lambda P, F, P_pred: P @ F @ np.linalg.inv(P_pred)),
-        "Your gain begins with P F. The covariance of now and next is P Fᵀ.",
-    ),
-    "gain transposed": (
-        lambda *given: rts(*given, gain=lambda P, F, P_pred: np.linalg.solve(P_pred, F @ P)),
-        "Your gain is transposed: `solve(P_pred, F @ P)` is Gᵀ. Put `.T` behind it.",
-    ),
-    "without F": (
-        lambda *given: rts(*given, gain=lambda P, F, P_pred: P @ np.linalg.inv(P_pred)),
-        "Your gain has no F. It is the covariance of now and next, P Fᵀ, that stands before (P⁻)⁻¹.",
-    ),
-    "sign": (
-        lambda *given: rts(*given, sign=1),
-        "The mean is right. In the covariance it is P_next minus P⁻: more knowledge makes it smaller.",
-    ),
-    "one side only": (
-        one_sided,
-        "The mean is right. In the covariance G stands on both sides: G (P_next − P⁻) Gᵀ. Yours is not symmetric.",
-    ),
-    "filtered, not predicted": (
-        filtered_not_predicted,
-        "You compared x_next with x. They belong to different moments: compare it with the prediction F x, P⁻.",
-    ),
-    "x in place of F x": (
-        step(compared=lambda x, F, x_next: x_next - x),
-        "The covariance is right. The mean compares x_next with x; they belong to different moments: compare it "
-        "with the prediction F x.",
-    ),
-    "difference turned": (
-        step(change=lambda P, P_next, P_pred: P_pred - P_next),
-        "The mean is right. In the covariance the difference is turned round: P_next minus P⁻, which makes it smaller.",
-    ),
-    "P in place of P⁻": (
-        step(change=lambda P, P_next, P_pred: P_next - P),
-        "The mean is right. In the covariance P_next is compared with P; compare it with the prediction's P⁻.",
-    ),
-    "mean turned": (
-        step(compared=lambda x, F, x_next: F @ x - x_next),
-        "The covariance is right. In the mean the difference is turned round: x_next minus F x.",
-    ),
-    "F for Fᵀ, on the left": (
-        step(gain=lambda P, F, P_pred: F @ P @ np.linalg.inv(P_pred)),
-        "Your gain begins with F P. The covariance of now and next is P Fᵀ.",
-    ),
-    "not inverted": (
-        step(gain=lambda P, F, P_pred: P @ F.T @ P_pred),
-        "Your gain is multiplied by P⁻. It is divided by it: P Fᵀ (P⁻)⁻¹.",
-    ),
-    "divided entry by entry": (
-        step(gain=lambda P, F, P_pred: P @ F.T / P_pred),
-        "You divided by P⁻ entry by entry. For matrices it is the inverse: `P @ F.T @ np.linalg.inv(P_pred)`.",
-    ),
-    "P as it was": (
-        step(change=lambda P, P_next, P_pred: 0 * P),
-        "The mean is right. The covariance is still the filter's: it changes by G (P_next − P⁻) Gᵀ.",
-    ),
-    "nothing done": (
-        lambda x, P, F, Q, x_next, P_next: (x_next, P_next),
-        "That is the belief about step k+1. Step k is asked for.",
-    ),
-    "prediction not subtracted": (
-        step(change=lambda P, P_next, P_pred: P_next),
-        "The mean is right. In the covariance P⁻ is missing: G (P_next − P⁻) Gᵀ.",
-    ),
-}
+
+WRONG = {"step_back": STEP_BACK}
 
 WRONG["smoothed_cov"] = {
     "as published": (
@@ -144,6 +42,22 @@ WRONG["smoothed_cov"] = {
     "entry by entry": (
         lambda P, P_back: P * P_back / (P + P_back),
         "Right for a single number. Entry by entry it forgets the tilt, which brought more than half of the gain.",
+    ),
+    "inverses entry by entry": (
+        inverses_of_entries,
+        "You took 1/P entry by entry. The inverse of a matrix is `np.linalg.inv(P)`.",
+    ),
+    "variances only": (
+        lambda P, P_back: np.diag(1 / (1 / np.diag(P) + 1 / np.diag(P_back))),
+        "You fused the variances alone. The tilt brought more than half of the gain: fuse the whole matrices.",
+    ),
+    "subtracted": (
+        lambda P, P_back: P - P_back,
+        "You subtracted the covariances. It is the inverses that add, and the sum is inverted.",
+    ),
+    "quarter of the sum": (
+        lambda P, P_back: (P + P_back) / 4,
+        "That is the covariance of the plain mean of both. The best weights are not equal: add the inverses, then invert.",
     ),
     "the smaller": (
         lambda P, P_back: P if np.trace(P) < np.trace(P_back) else P_back,

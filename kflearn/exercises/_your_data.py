@@ -122,10 +122,6 @@ WRONG["variance_at_rest"] = {
         lambda time, z, until: np.nanmean(at_rest(time, z, until) ** 2),
         "You took the mean square about 0. Where it stood is not noise: take off the mean first.",
     ),
-    "until too": (
-        lambda time, z, until: np.nanvar(z[time <= until], ddof=1),
-        "You took the reading at `until` as well. The text says time < until.",
-    ),
     "until as a number of rows": (
         lambda time, z, until: np.nanvar(z[: int(until)], ddof=1),
         "`until` is a time in seconds, not a number of rows: choose with `time < until`.",

@@ -1,5 +1,7 @@
 """Lesson 20: adaptive filters."""
 
+from itertools import cycle
+
 import numpy as np
 
 from kflearn.exercises import _unknown_sensor
@@ -53,6 +55,22 @@ from kflearn.exercises.engine import exercise, judged
             130,
             "You divided S by 0.1². From 1.3 √(2/N) = 0.1 follows N = 2 (1.3/0.1)².",
         ),
+        "difference": (
+            98,
+            "You took 1 − 0.3 for the variance of an innovation. Sensor and prediction both scatter: S = 1 + 0.3.",
+        ),
+        "S not squared": (
+            260,
+            "The 2 and 0.1² are right, but S stands squared as well: N = 2 · 1.3²/0.1².",
+        ),
+        "root of S": (
+            lambda: 2 * 1.3**0.5 / 0.01,
+            "You took the root of S. The mean of squares scatters by S √(2/N), with S = 1.3 itself.",
+        ),
+        "0.01 once more": (
+            33800,
+            "You divided by 0.01 once too often: N = 2 (1.3/0.1)², and (1/0.1)² is 100.",
+        ),
         "plain ratio": (
             13,
             "That is S divided by 0.1. From 1.3 √(2/N) = 0.1 follows N = 2 (1.3/0.1)².",
@@ -75,9 +93,12 @@ def window_needed():
     return round(2 * ((1 + 0.3) / 0.1) ** 2)
 
 
+SENSORS = cycle((1, 1, 1, 3, 2, 3, 2))  # one at first: y yᵀ has a shape that fits then
+
+
 def vectors(rng):
     """Innovations of one, two or three sensors, and a lopsided H with a covariance of one or two states more."""
-    m, N = int(rng.choice([3, 2, 1])), int(rng.integers(4, 9))
+    m, N = next(SENSORS), int(rng.integers(4, 9))
     n = m + int(rng.choice([1, 2]))
     factor = rng.integers(-2, 3, (n, n)) / 2 + 1.5 * np.eye(n)
     y = rng.integers(-8, 9, (N, m)) / 2 + rng.integers(1, 4, m)
@@ -106,7 +127,7 @@ def logarithms(rng):
     """Normalised logarithms of two to five weights, some hopeless, and log-likelihoods, some of them all very low."""
     M = int(rng.choice([5, 3, 2]))
     logs = rng.choice([0, -1, -3, -20, -400, -1200], M)
-    likelihoods = rng.integers(-12, 3, M) / 2 - rng.choice([0, 900]) - rng.choice([0, 0, 300, 800], M)
+    likelihoods = rng.integers(-12, 3, M) / 2 - rng.choice([0, 900, 20000]) - rng.choice([0, 0, 300, 800, 20000], M)
     return logs - np.logaddexp.reduce(logs.astype(float)), likelihoods
 
 
@@ -175,7 +196,7 @@ def unknown_sensor(z, F, Q, mean, cov):
     State: position (m) and velocity (m/s). z (T,): readings of the position in m, NaN where there is none. F, Q (2, 2):
     the cart, which is not the lesson's. mean (2,), cov (2, 2): what is known one step before the first reading. The data
     sheet says R = 1 m². At some moment the sensor becomes much worse, or it was much worse before and becomes as good as
-    the sheet says. 45 steps are granted to notice.
+    the sheet says. It is judged after that moment; 45 steps are granted to notice.
     """
     x, P, R, recent, means, covs = mean, cov, 1.0, [], [], []
     for reading in z:

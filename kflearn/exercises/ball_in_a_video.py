@@ -99,7 +99,9 @@ def first_velocity(p, s, R, y):
     return s / (p + s + R) * y
 
 
-KINDS = cycle(range(11))  # each of them in the twenty trials
+EDGES = [[210.0, 210.0, 210.0], [210.4, 209.6, 209.7], [210.4, 209.6, 210.7]]
+EDGES += [[210.98, 209.02, 210.5], [210.3, 211.02, 209.8], [208.98, 210.3, 209.8]]  # just inside 1 px, just outside
+KINDS = cycle(range(14))  # each of them in the twenty trials
 
 
 def three_rows(rng):
@@ -119,7 +121,7 @@ def three_rows(rng):
     elif kind == 7:  # the floor is not where it was thought to be
         rows[rng.integers(0, 3)] = 211.5
     elif kind > 7:
-        rows[:] = [[210.0, 210.0, 210.0], [210.4, 209.6, 209.7], [210.4, 209.6, 210.7]][kind - 8]
+        rows[:] = EDGES[kind - 8]
     return (rows,)
 
 

@@ -29,6 +29,18 @@ from kflearn.exercises.engine import exercise
         "root": (math.sqrt(0.34), "That is the standard deviation of a reading. R is its square."),
         "bias alone": (0.25, "That is the bias alone; the white noise has not gone away."),
         "noise alone": (0.09, "That is R without any inflation: the bias is ignored."),
+        "variance plus σ of the noise": (
+            0.55,
+            "You added the noise by its standard deviation, 0.3 + 0.25: metres to square metres. R is 0.3² + 0.5².",
+        ),
+        "the planned one": (
+            27,
+            "R = 27 is the lesson's number for a gain that is planned ahead. The inflated filter adds the two variances.",
+        ),
+        "fused": (
+            0.09 * 0.25 / 0.34,
+            "You fused the two, as if each were a reading. Both errors are in the same reading: their variances add.",
+        ),
         "difference": (0.16, "Variances of independent errors add, whatever the sign of the errors."),
         "mean of the two": (
             lambda: (0.3**2 + 0.5**2) / 2,

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._error_state_navigation import MORE
 from kflearn.exercises.engine import exercise
 
 
@@ -57,6 +58,7 @@ from kflearn.exercises.engine import exercise
         ),
     },
     unit="m",
+    also=[-27],  # with its sign
     then=(
         "The filter was perfect as long as the tram pulled: an error with the wrong name shows only when the ride "
         "changes. A state for the scale, and a ride that pulls and brakes, would tell the two apart."
@@ -192,7 +194,8 @@ def dark_time(dv, b, allowed):
             [1, 1, 1, 0, 1],
             "Enough, but two too many: east and north are only added to, and stand nowhere in F.",
         ),
-    },
+    }
+    | MORE["goes_back"],
     then=(
         "Only ψ and s stand in F. A state that F does not hold may be wrong in the INS: its error is carried on "
         "alike in both books."
@@ -287,7 +290,8 @@ def updated(x, dx, K, fix):
             "You returned the INS's state twice. The second result is the error state, which is zero after "
             "feeding back.",
         ),
-    },
+    }
+    | MORE["mended_fix"],
     then="As dx is zero now, F @ dx stays zero until the next fix: between two fixes only P must be predicted.",
 )
 def mended_fix(x, dx, K, fix):

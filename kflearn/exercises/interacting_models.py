@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import after
+from kflearn.exercises._more_15_16 import MORE
 from kflearn.exercises.engine import exercise
 
 
@@ -42,7 +43,7 @@ from kflearn.exercises.engine import exercise
         ),
         "half of it": (
             15.0,
-            "15 m is half of a σ. Take the mean of the two variances, and add how far the two means are apart.",
+            "15 m is half of a σ. Take the mean of the two variances, add the squared distance of each mean from the middle, then take the root.",
         ),
         "spread for one only": (
             math.sqrt(1350),
@@ -150,7 +151,8 @@ def leaving(stays, T):
             "That says that every step begins anew, with all modes equally likely. A mode lasts: most of each row"
             " stands on the diagonal.",
         ),
-    },
+    }
+    | MORE["transition"],
     then=(
         "A ship that stays 100 s, read every 2 s, has 0.98 on the diagonal. Halve the time between readings, and "
         "the diagonal moves closer to 1."

@@ -227,7 +227,7 @@ def smaller(first, second):
         ),
         "the roots' traces": (
             lambda one, two: one @ one.T if np.trace(one) < np.trace(two) else two @ two.T,
-            "You compared the traces of the *roots*. A root may have minus signs, so its trace says little: compare the traces of L Lᵀ.",
+            "You compared numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ.",
         ),
         "smaller entries": (
             lambda one, two: np.minimum(one @ one.T, two @ two.T),

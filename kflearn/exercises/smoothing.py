@@ -22,6 +22,22 @@ from kflearn.exercises.engine import exercise
             (6.0, 2.0),
             "You carried the knowledge about step k+1 over unchanged, G = 1. That holds for Q = 0 only; here G = 3/4.",
         ),
+        "G = 1": (
+            (6.0, 1.0),
+            "You took G = 1: all of what was wrong at step k+1 would have been wrong at step k. Here Q = 1, and G = P/P⁻ = 3/4.",
+        ),
+        "G once in the variance, turned": (
+            (5.5, 2.25),
+            "The mean is right. You multiplied the filter's 3 by G. It is 3 + G² (2 − 4).",
+        ),
+        "gain upside down": (
+            (4 + 8 / 3, 3 - 32 / 9),
+            "Your gain is P⁻/P, and so the variance has become negative. It is P/P⁻ = 3/4.",
+        ),
+        "compared with the filter": (
+            (5.5, 3 - 9 / 16),
+            "The mean is right. In the variance you compared 2 with the filter's 3; compare it with the predicted 4.",
+        ),
         "only Q added": (
             (6.0, 3.0),
             "You walked back from step k+1 and added Q. That forgets what the filter knew about step k, N(4, 3).",

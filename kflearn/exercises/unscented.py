@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._more_15_16 import MORE
 from kflearn.exercises.engine import exercise
 
 
@@ -58,7 +59,8 @@ def image(degrees):
             0.0,
             "That is the mean along the x-axis, or a mean of differences. The y-axis was asked for: 100 sin θ.",
         ),
-    },
+    }
+    | MORE["three_points"],
     unit="m",
     rtol=1e-4,
     then=(
@@ -208,7 +210,8 @@ def columns(P):
             lambda mean, P, Q, scale: around(mean, columns((P + Q) / scale)),
             "You divided by the scale. It multiplies the covariance: the points lie √scale standard deviations away.",
         ),
-    },
+    }
+    | MORE["redrawn"],
     then=(
         "With Q = 0 the moved points and the redrawn ones have the same mean and covariance; only where something "
         "is added must the points be drawn anew."
@@ -249,7 +252,7 @@ def redrawn(mean, P, Q, scale):
         "acceleration forgotten": (0.04, "The accelerations are missing: they bring 0.0001/0.1 twice."),
         "quotient of the sums": (
             2.0202 / 202.2,
-            "You divided the sums. Each component has its own unit and its own claim: first divide, then add.",
+            "That is the quotient of the sums, or a single ratio. Each component has its own unit and its own claim: divide each, then add all six.",
         ),
         "real variances": (
             2.0202,
@@ -265,7 +268,8 @@ def redrawn(mean, P, Q, scale):
             6 / 0.042,
             "That is how many times too small it is. The question asks for the average of eᵀP₀⁻¹e itself.",
         ),
-    },
+    }
+    | MORE["start_nees"],
     then=(
         "The claim is too modest by a factor of 6/0.042, about 143 in variance: a NEES far below its band says so,"
         " while the error alone looks excellent."

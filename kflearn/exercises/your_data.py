@@ -82,6 +82,18 @@ LOW, HIGH = chi_square_interval(1, 40)
             "That is the interval at 90 %. The question asks for 95 %, which is what `chi_square_interval` takes "
             "by itself.",
         ),
+        "99 %": (
+            lambda: tuple(0.09 / end for end in chi_square_interval(1, 40, 0.99)[::-1]),
+            "That is the interval at 99 %. The question asks for 95 %, which is what `chi_square_interval` takes by itself.",
+        ),
+        "41 in the numerator": (
+            lambda: tuple(0.09 * 41 / 40 / end for end in (HIGH, LOW)),
+            "You multiplied by 41. The sample variance is the sum of squares by 40 already: 0.09 · 40 is that sum.",
+        ),
+        "chi-square itself": (
+            (40 * LOW, 40 * HIGH),
+            "Those are the limits of chi-square with 40 degrees of freedom. Divide the sum of squares, 0.09 · 40, by each.",
+        ),
         "one number": (
             0.09,
             "That is the sample variance. Hand in two limits, `(low, high)`.",
@@ -140,6 +152,14 @@ def interval_of_R():
             1e-13,
             "You divided by 1000⁴. The unit of q is m²/s³: three times, not four.",
         ),
+        "÷ 10⁷": (
+            1e-8,
+            "The noughts: 1000³ is 10⁹, and 0.1 divided by that is 10⁻¹⁰.",
+        ),
+        "÷ 10¹¹": (
+            1e-12,
+            "The noughts: 1000³ is 10⁹, and 0.1 divided by that is 10⁻¹⁰.",
+        ),
         "without 0.1": (
             1e-9,
             "That is 1/1000³. It is to be multiplied by the 0.1 that q was before.",
@@ -179,7 +199,7 @@ KINDS = cycle(range(5))  # each of them in the twenty trials
 def gappy(rng):
     """Uneven time stamps, and readings of which some are missing."""
     n = int(rng.choice([9, 7, 6]))
-    time = np.cumsum(rng.integers(1, 5, n)) / 2
+    time = np.cumsum(rng.integers(3, 17, n)) / 8
     return time, holes(rng.integers(0, 20, n) / 2, next(KINDS), rng)
 
 
@@ -205,7 +225,7 @@ def a_departure(rng):
     """Uneven time stamps, readings that stand still and then leave, some of them missing, and when they leave."""
     n, rows = int(rng.choice([24, 18, 12])), int(rng.integers(5, 9))
     time = np.cumsum(rng.integers(1, 9, n)) / 2 * rng.integers(1, 3)
-    until = float(time[rows] - rng.integers(0, 2) / 4)
+    until = float(time[rows] - 0.25)  # between two time stamps: `<` or `<=` is all one
     z = rng.integers(-4, 5, n) / 4 + 3 * np.maximum(time - until, 0) + 5
     kind = next(KINDS)
     z[:rows] = holes(z[:rows], kind, rng)

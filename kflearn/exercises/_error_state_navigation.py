@@ -1,0 +1,61 @@
+"""More wrong answers to exercises of lesson 18, each with the sentence that it gets."""
+
+import numpy as np
+
+
+def partly(which):
+    """The feedback of some states only: `which` says of the indices which go back."""
+
+    def fed_back(x, dx, K, fix):
+        dx, back = dx + K @ (fix - x[:2] - dx[:2]), which(np.arange(len(x)))
+        return x + back * dx, (1 - back) * dx
+
+    return fed_back
+
+
+PARTLY = (
+    "You fed back a part of the states. The sum of both books is the same, but here all of dx is fed back: return "
+    "x + dx and zeros."
+)
+MORE = {
+    "goes_back": {
+        "the other ones": (
+            [1, 1, 0, 1, 0],
+            "You marked those that may stay in either book. Asked are those that must go back: what stands in F.",
+        ),
+        "the bias alone": (
+            [0, 0, 0, 1, 0],
+            "b enters only by ψ + w − b, along a straight line, and stands nowhere in F. Which two of the five stand there?",
+        ),
+        "heading and bias": (
+            [0, 0, 1, 1, 0],
+            "ψ is one of them. b enters along a straight line and may stay; but look at what multiplies d.",
+        ),
+        "halves": (
+            [0, 0, 0.5, 0, 0.5],
+            "The two are right. Mark them with 1: each goes back or not.",
+        ),
+    },
+    "mended_fix": {
+        "from index 4 on": (partly(lambda i: i >= 4), PARTLY),
+        "after index 4": (partly(lambda i: i > 4), PARTLY),
+        "before index 4": (partly(lambda i: i < 4), PARTLY),
+        "index 4 alone": (partly(lambda i: i == 4), PARTLY),
+        "from index 2 on": (partly(lambda i: i >= 2), PARTLY),
+        "half of it": (
+            partly(lambda i: 0.5),
+            "You fed back a half. What x has been told is zero in dx only if all of dx was added.",
+        ),
+        "dx turned round": (
+            lambda x, dx, K, fix: (
+                x + dx + K @ (fix - x[:2] - dx[:2]),
+                -dx - K @ (fix - x[:2] - dx[:2]),
+            ),
+            "The INS is right now. In dx nothing is left of what x has been told: it is zero, not minus dx.",
+        ),
+        "the fix itself": (
+            lambda x, dx, K, fix: (np.append(fix, (x + dx)[2:]), 0 * dx),
+            "You set the position to the fix. The fix has an error of its own: correct dx with the gain K, then add it to x.",
+        ),
+    },
+}
