@@ -69,8 +69,8 @@ def of_two(answers, recordings):
         return "The filter comes to the new speaker before he speaks: it looks ahead, and switches too early."
     if np.mean(arrived) > 0.8:
         return (
-            "The filter comes to the new speaker, but it is wrong at other times: do echoes of 11 to 14 readings "
-            "take it along, because it switches too early?"
+            "The filter comes to the new speaker, but it is wrong at other times. Does it switch too early, "
+            "or do echoes of 11 to 14 readings take it along?"
         )
     return "After a change the filter must come to the new speaker within 30 readings: does your gate open again?"
 
