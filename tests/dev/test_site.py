@@ -209,12 +209,13 @@ def test_on_a_phone(tab, name, width):
     assert min(sizes) >= 13
     code = page.locator("article pre").evaluate_all("all => all.map(p => parseFloat(getComputedStyle(p).fontSize))")
     assert min(code, default=11) >= 11
+    figures = [live(page, number) for number in range(page.locator("figure.playground").count())]
     for image in page.locator("article :is(img, canvas, input, button:not(.kf-handle))").all():
         box = image.bounding_box()
         assert box["width"] > 250 or image.evaluate("image => !['IMG', 'CANVAS'].includes(image.tagName)")
         assert box["x"] + box["width"] <= width
-    for number in range(page.locator("figure.playground").count()):
-        canvas = live(page, number).locator("canvas")
+    for figure in figures:
+        canvas = figure.locator("canvas")
         canvas.tap(position={"x": 5, "y": 5})
         assert 2 * canvas.bounding_box()["width"] == canvas.evaluate("canvas => canvas.width") >= 1400
     assert page.evaluate("document.documentElement.scrollWidth") <= width
