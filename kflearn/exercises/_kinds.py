@@ -9,7 +9,7 @@ from kflearn.exercises import _rules, progress
 from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, told, unfinished
 from kflearn.exercises._messages import Message, Outcome
 from kflearn.exercises._solutions import for_a_cell
-from kflearn.exercises._watch import Printed, watched
+from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
 
 TRIALS = 20  # random inputs on which a function is tried
 
@@ -54,6 +54,8 @@ class Exercise:
                 outcome = self._judge(answer, printed)
         except KeyboardInterrupt:  # the learner stops their own endless loop
             raise
+        except TooLong:
+            outcome = Outcome("raised", f"The check was stopped after {SECONDS} seconds: is there a quicker way?")
         except BaseException:  # an object that fights back when it is looked at
             outcome = Outcome("wrong", f"{self.subject} cannot be read as {self.wanted}.")
         if printed.text():
