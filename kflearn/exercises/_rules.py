@@ -81,7 +81,10 @@ def _row(result, count):
 
 def _relation(results, rights, close):
     """What all results are of what was wanted, in words; None where they are nothing that has a name."""
-    pairs = [(np.asarray(one), np.asarray(other)) for one, other in zip(results, rights, strict=True)]
+    try:
+        pairs = [(np.asarray(one), np.asarray(other)) for one, other in zip(results, rights, strict=True)]
+    except (TypeError, ValueError, OverflowError):  # rows of unequal length, and what else is no array
+        return None
     if any(one.shape != other.shape or one.dtype.kind not in "iuf" for one, other in pairs):
         return None
     with np.errstate(all="ignore"):
