@@ -28,7 +28,7 @@ from dev.hard.line import Line
 from dev.lab import CHROMIUM, ROOT, Lab, browser, notebook, server
 
 MINUTES = float(os.environ.get("MINUTES", "10"))
-LESSONS = "05-voltmeter.ipynb", "10-train-and-ship.ipynb"  # two sliders; three, one of whole numbers, and buttons
+LESSONS = "05-voltmeter.ipynb", "11-train-and-ship.ipynb"  # two sliders; three, one of whole numbers, and buttons
 KEYS = "ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End"
 FLAT = 0.05  # the share by which memory may have changed at the end
 KEEP_CODE = "--js-flags=--no-flush-bytecode"  # else V8 drops some 4 MB of JupyterLab's compiled code at some moment

@@ -90,7 +90,7 @@ def one(name, rng):
 
 
 def faulty_sensor(model, start, rng):
-    """The bias of lesson 19, of another size and another duration."""
+    """The bias of lesson 21, of another size and another duration."""
     sd, keep = slid(rng, "19", "sd"), np.exp(-0.1 / slid(rng, "19", "tau"))
     F, Q, P = model.F.copy(), model.Q.copy(), start.cov.copy()
     F[2, 2], Q[2, 2], P[2, 2] = keep, sd**2 * (1 - keep**2), sd**2
@@ -148,7 +148,7 @@ def case(name, settings, runs, rng):
 
 
 def knobs(name, rng):
-    """The settings of the filters that have some: lessons 15, 16 and 20."""
+    """The settings of the filters that have some: lessons 17, 18 and 22."""
     drawn = dict(alpha=slid(rng, "15", "alpha"), kappa=slid(rng, "15", "kappa"), leave=slid(rng, "16", "leave"))
     return drawn | dict(window=int(slid(rng, "20", "window")), floor=slid(rng, "20", "floor"))
 

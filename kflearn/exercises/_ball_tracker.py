@@ -1,4 +1,4 @@
-"""Wrong answers to the exercises of lesson 17 about the tracker, each with the sentence that it gets."""
+"""Wrong answers to the exercises of lesson 19 about the tracker, each with the sentence that it gets."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong corrections of a cart on a rail (lesson 12), each with the sentence that it gets."""
+"""Wrong corrections of a cart on a rail (lesson 13), each with the sentence that it gets."""
 
 import numpy as np
 

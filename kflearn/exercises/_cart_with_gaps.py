@@ -1,4 +1,4 @@
-"""Recordings for the open exercise of lesson 10: a cart whose readings fail for a while."""
+"""Recordings for the open exercise of lesson 11: a cart whose readings fail for a while."""
 
 import numpy as np
 

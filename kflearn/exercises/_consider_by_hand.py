@@ -1,4 +1,4 @@
-"""Wrong answers to the exercise of lesson 19 that is done by hand, each with the sentence that it gets."""
+"""Wrong answers to the exercise of lesson 21 that is done by hand, each with the sentence that it gets."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""More wrong answers to exercises of lesson 18, each with the sentence that it gets."""
+"""More wrong answers to exercises of lesson 20, each with the sentence that it gets."""
 
 import numpy as np
 

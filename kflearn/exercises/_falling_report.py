@@ -1,4 +1,4 @@
-"""Wrong reports of a fall (lesson 9), each with the sentence that it gets."""
+"""Wrong reports of a fall (lesson 10), each with the sentence that it gets."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong answers about a needle seen from the side (lesson 14), each with the sentence that it gets."""
+"""Wrong answers about a needle seen from the side (lesson 16), each with the sentence that it gets."""
 
 import numpy as np
 

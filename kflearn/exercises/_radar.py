@@ -1,4 +1,4 @@
-"""Recordings for the open exercise of lesson 12: a radar that measures distance and bearing."""
+"""Recordings for the open exercise of lesson 13: a radar that measures distance and bearing."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Recordings for the open exercise of lesson 17: a thrown ball before a coarse detector that misses and mistakes."""
+"""Recordings for the open exercise of lesson 19: a thrown ball before a coarse detector that misses and mistakes."""
 
 import numpy as np
 

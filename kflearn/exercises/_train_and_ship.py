@@ -1,4 +1,4 @@
-"""Wrong answers to exercises of lesson 10, each with the sentence that it gets."""
+"""Wrong answers to exercises of lesson 11, each with the sentence that it gets."""
 
 import math
 

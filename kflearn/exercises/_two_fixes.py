@@ -1,4 +1,4 @@
-"""Wrong starts from two fixes (lesson 10), each with the sentence that it gets."""
+"""Wrong starts from two fixes (lesson 11), each with the sentence that it gets."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Recordings for the open exercise of lesson 20: a cart whose sensor becomes worse, or better, at some moment."""
+"""Recordings for the open exercise of lesson 22: a cart whose sensor becomes worse, or better, at some moment."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Lesson 20: adaptive filters."""
+"""Lesson 22: adaptive filters."""
 
 from itertools import cycle
 
@@ -186,7 +186,7 @@ def mixture_cov(p, means, covs):
     recording=_unknown_sensor.unknown_sensor,
     marks=_unknown_sensor.MARKS,
     form=track(2),
-    then="A bank with the candidates 1, 4 and 16 m² that may change, as in lesson 16, is nearer to the truth in the 25 steps after a change: 1.03 m against 1.13 m with a window of 30, where the sensor becomes good again.",
+    then="A bank with the candidates 1, 4 and 16 m² that may change, as in lesson 18, is nearer to the truth in the 25 steps after a change: 1.03 m against 1.13 m with a window of 30, where the sensor becomes good again.",
     passing=_unknown_sensor.PASSING,
     failing=_unknown_sensor.FAILING,
 )

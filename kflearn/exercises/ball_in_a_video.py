@@ -1,4 +1,4 @@
-"""Lesson 17: a ball in a video."""
+"""Lesson 19: a ball in a video."""
 
 from itertools import cycle
 

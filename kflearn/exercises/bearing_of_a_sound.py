@@ -6,7 +6,7 @@ from kflearn import angle_difference
 from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
-from kflearn.exercises._slips_06_09 import WRONG as SLIPS
+from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
 from kflearn.exercises.engine import Mark, exercise, judged
 
@@ -129,7 +129,7 @@ def gains(rng):
     ],
     inputs=gains,
     wrong=WRONG["right_update"],
-    then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 11.",
+    then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 12.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
         "K": "a state of angle and rate has two gains",

@@ -1,4 +1,4 @@
-"""Lesson 13: only the direction."""
+"""Lesson 15: only the direction."""
 
 import numpy as np
 

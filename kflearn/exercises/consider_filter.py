@@ -1,4 +1,4 @@
-"""Lesson 19: ignore, inflate, estimate or consider a bias."""
+"""Lesson 21: ignore, inflate, estimate or consider a bias."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Lesson 18: through a tunnel."""
+"""Lesson 20: through a tunnel."""
 
 import math
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
-from kflearn.exercises._slips_00_05 import WRONG as SLIPS
+from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises.engine import exercise
 
 

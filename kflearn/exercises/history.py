@@ -1,10 +1,10 @@
-"""Lesson 1: from Gauss to Kalman."""
+"""Lesson 25: from Gauss to Kalman."""
 
 import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._history import WRONG, wrong_lines
-from kflearn.exercises._slips_00_05 import WRONG as SLIPS
+from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 

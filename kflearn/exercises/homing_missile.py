@@ -1,4 +1,4 @@
-"""Lesson 14: the homing missile."""
+"""Lesson 16: the homing missile."""
 
 import math
 

@@ -1,11 +1,11 @@
-"""Lesson 16: several models that interact."""
+"""Lesson 18: several models that interact."""
 
 import math
 
 import numpy as np
 
 from kflearn.exercises._hints import after
-from kflearn.exercises._more_15_16 import MORE
+from kflearn.exercises._slips_points_and_models import MORE
 from kflearn.exercises.engine import exercise
 
 

@@ -7,7 +7,7 @@ from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
-from kflearn.exercises._slips_06_09 import WRONG as SLIPS
+from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, of_claims, of_errors, recording
 from kflearn.exercises.engine import Mark, exercise, judged

@@ -1,4 +1,4 @@
-"""Lesson 12: linearised and extended."""
+"""Lesson 13: linearised and extended."""
 
 import numpy as np
 

@@ -1,11 +1,11 @@
-"""Lesson 2: from Newton to the state space."""
+"""Lesson 1: from Newton to the state space."""
 
 import itertools
 
 import numpy as np
 
 from kflearn.exercises._newton_to_state_space import WRONG
-from kflearn.exercises._slips_00_05 import WRONG as SLIPS
+from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises.engine import exercise
 
 

@@ -1,4 +1,4 @@
-"""Lesson 11: what happens to a filter in a computer with few digits."""
+"""Lesson 12: what happens to a filter in a computer with few digits."""
 
 import numpy as np
 

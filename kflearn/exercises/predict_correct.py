@@ -4,7 +4,7 @@ import numpy as np
 
 from kflearn.exercises._predict_correct import WRONG, other_letters
 from kflearn.exercises._predict_correct_misprints import WRONG as MORE
-from kflearn.exercises._slips_00_05 import WRONG as SLIPS
+from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 

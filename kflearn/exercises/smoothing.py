@@ -1,4 +1,4 @@
-"""Lesson 21: smoothing."""
+"""Lesson 23: smoothing."""
 
 import numpy as np
 

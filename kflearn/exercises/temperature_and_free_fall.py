@@ -1,11 +1,11 @@
-"""Lesson 9: temperature and free fall."""
+"""Lesson 10: temperature and free fall."""
 
 import numpy as np
 
 from kflearn import rmse
 from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
-from kflearn.exercises._slips_06_09 import WRONG as SLIPS
+from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._temperature_and_free_fall import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise

@@ -1,4 +1,4 @@
-"""Lesson 10: a train and a ship."""
+"""Lesson 11: a train and a ship."""
 
 import math
 
@@ -250,7 +250,7 @@ def two_point_start(z0, z1, dt, R):
     form=track(2),
     passing=PASSING,
     failing=FAILING,
-    then="The gaps cost most just before they end. `rts_smoother`, in lesson 21, uses the readings behind a gap as well.",
+    then="The gaps cost most just before they end. `rts_smoother`, in lesson 23, uses the readings behind a gap as well.",
 )
 def cart_with_gaps(z, dt, sd, sigma):
     """Write a filter `(z, dt, sd, sigma) → mean, covariance` for a cart whose readings fail for a while.

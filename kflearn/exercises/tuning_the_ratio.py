@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import is_about
-from kflearn.exercises._slips_06_09 import WRONG as SLIPS
+from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._tuning_the_ratio import WRONG
 from kflearn.exercises._tuning_the_ratio_readings import WRONG as MORE
 from kflearn.exercises._turns import in_turn

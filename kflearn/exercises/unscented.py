@@ -1,8 +1,8 @@
-"""Lesson 15: five points through a bend."""
+"""Lesson 17: five points through a bend."""
 
 import numpy as np
 
-from kflearn.exercises._more_15_16 import MORE
+from kflearn.exercises._slips_points_and_models import MORE
 from kflearn.exercises.engine import exercise
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
-from kflearn.exercises._slips_00_05 import WRONG as SLIPS
+from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._voltmeter import WRONG
 from kflearn.exercises._voltmeter_start import WRONG as MORE

@@ -65,7 +65,7 @@ def test_a_notebook_is_recognised_by_its_cells(sheets):
         ],
         "lesson": [the_lesson("04"), nbformat.read(LESSON["04"], as_version=4)],
         "": [
-            nbformat.read(LESSON["18"], as_version=4),
+            nbformat.read(LESSON["20"], as_version=4),
             new_notebook(cells=[new_code_cell("print(1)")]),
             answered("05"),
         ],

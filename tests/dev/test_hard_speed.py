@@ -39,7 +39,7 @@ def test_slow_is_no():
 
 
 def test_a_hungry_lesson_is_no(monkeypatch):
-    monkeypatch.setattr(speed.footprint, "kernels", lambda lessons: {"05-voltmeter": 180.0, "20-adaptive": 1093.0})
+    monkeypatch.setattr(speed.footprint, "kernels", lambda lessons: {"05-voltmeter": 180.0, "22-adaptive": 1093.0})
     line = speed.memory(None)
     assert not line.ok
-    assert line.measured == "1093 MB, 20-adaptive"
+    assert line.measured == "1093 MB, 22-adaptive"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from dev.lab import ROOT
 
-FUSION, VOLTMETER, BEARINGS = "04-gaussian-fusion.html", "05-voltmeter.html", "13-bearings-only.html"
+FUSION, VOLTMETER, BEARINGS = "04-gaussian-fusion.html", "05-voltmeter.html", "15-bearings-only.html"
 BUILT = os.environ.get("KFLEARN_SITE")
 LESSONS = sorted(path.name for path in Path(BUILT).glob("[0-9][0-9]-*.html")) if BUILT else [FUSION, VOLTMETER]
 

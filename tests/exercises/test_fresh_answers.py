@@ -1,4 +1,4 @@
-"""What a stranger answered in lessons 0 to 10: what was refused, passed or misled."""
+"""What a stranger answered in lessons 0 to 11: what was refused, passed or misled."""
 
 from importlib import import_module
 

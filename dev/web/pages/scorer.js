@@ -12,7 +12,7 @@ var Scorer = {
   term: 5,
   partialTerm: 2,
 
-  taught: TAUGHT, // "consider filter" → "19-consider-filter", …
+  taught: TAUGHT, // "consider filter" → "21-consider-filter", …
   extra: {}, // query → page → points
 
   score: ([page, , , , score]) => {

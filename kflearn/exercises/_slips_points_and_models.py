@@ -1,4 +1,4 @@
-"""More wrong answers to exercises of lessons 15 and 16, each with the sentence that it gets."""
+"""More wrong answers to exercises of lessons 17 and 18, each with the sentence that it gets."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""More wrong answers to exercises of lessons 6 to 9, each with the sentence that it gets: those that a stranger tried."""
+"""More wrong answers to exercises of lessons 6 to 10, each with the sentence that it gets: those that a stranger tried."""
 
 import numpy as np
 
