@@ -26,10 +26,10 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
 
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Starts: start_from,
 diffuse_start. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother,
-two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card.
-Models: random_walk, constant_velocity, constant_acceleration, singer, cart; simulate, numerical_jacobian. Angles: wrap,
-angle_difference, circular_mean. Of the course: scenarios, recordings (which raises RecordingError), bearings, homing,
-navigation, video, plots.
+two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
+with_error, a mean over runs with its standard error. Models: random_walk, constant_velocity, constant_acceleration,
+singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
+recordings (which raises RecordingError), bearings, homing, navigation, video, plots.
 """
 
 from importlib import import_module
@@ -61,6 +61,7 @@ from .models.kinematics import cart, constant_acceleration, constant_velocity, r
 from .models.simulation import simulate
 from .models.slopes import numerical_jacobian
 from .models.state_space import LinearModel, NonlinearModel
+from .results.comparison import Measured, with_error
 from .results.consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
 from .results.report import report_card
 from .results.track import Track
@@ -107,6 +108,7 @@ __all__ = [
     "FILTERS",
     "Gaussian",
     "LinearModel",
+    "Measured",
     "NonlinearModel",
     "OnlineFilter",
     "RecordingError",
@@ -154,6 +156,7 @@ __all__ = [
     "unscented_kalman_filter",
     "video",
     "whiteness",
+    "with_error",
     "wrap",
 ]
 

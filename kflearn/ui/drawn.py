@@ -5,7 +5,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 
 from .away import Away
-from .looks import BAND, look_of
+from .looks import BAND, colours, look_of
 
 
 class Drawn:
@@ -77,6 +77,29 @@ class Density(Drawn):
         height = np.exp(-((self.grid - mean) ** 2) / (2 * variance)) / np.sqrt(2 * np.pi * variance)
         self.artists[0].set_data(self.grid, 0, height)
         self.artists[1].set_data(self.grid, height)
+
+
+class Innovations(Drawn):
+    """Innovations and their band ±2√S: `.set(t, innovation, std)`. What lies outside wears a ring."""
+
+    def __init__(self, ax, t, innovation, std, label="innovation", **look):
+        look = look_of("measurement", look)
+        band = ax.fill_between(t, 0, 0, color=look["color"], alpha=BAND, linewidth=0, zorder=1.5, label="±2√S")
+        (dots,) = ax.plot([], [], label=label, **look)
+        ring = dict(color=colours["outlier"], linestyle="none", marker="o", markerfacecolor="none", markersize=9)
+        (rings,) = ax.plot([], [], label="outside", zorder=2.7, **ring)
+        ax.axhline(0, color=colours["truth"], linewidth=0.8, zorder=1.6)
+        self.artists = (band, dots, rings)
+        self.set(t, innovation, std)
+        fit(self.artists)
+
+    def _move(self, t, innovation, std):
+        t, innovation, std = (np.asarray(each, dtype=float) for each in (t, innovation, std))
+        outside = np.abs(innovation) > 2 * std
+        self.outside = float(outside.sum() / max(1, (~np.isnan(innovation)).sum()))
+        self.artists[0].set_data(t, -2 * std, 2 * std)
+        self.artists[1].set_data(t, innovation)
+        self.artists[2].set_data(t[outside], innovation[outside])
 
 
 def fit(artists) -> None:

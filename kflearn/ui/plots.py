@@ -22,17 +22,17 @@ with words for those who cannot see it.
     ['measurement', '±2σ', 'estimate']
 """
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-
-from .drawn import Density, Drawn, Estimate, Line, fit
+from .drawn import Density, Drawn, Estimate, Innovations, Line, fit
+from .figures import figure
 from .looks import colours, style
 from .pictures import display_png, encode, pixels, png, show
+from .step import step_diagram
 
 __all__ = [
     "Density",
     "Drawn",
     "Estimate",
+    "Innovations",
     "Line",
     "colours",
     "density",
@@ -42,12 +42,14 @@ __all__ = [
     "figure",
     "fit",
     "gain",
+    "innovations",
     "measurements",
     "outliers",
     "pixels",
     "png",
     "prediction",
     "show",
+    "step_diagram",
     "style",
     "truth",
 ]
@@ -55,38 +57,6 @@ __all__ = [
 
 def __dir__() -> list[str]:
     return __all__
-
-
-def figure(rows=1, columns=1, size=(8, 4.5), **subplots_kw) -> tuple:
-    """Make a new figure in the course's style, and its axes.
-
-    Parameters
-    ----------
-    rows, columns : int
-        How many axes. With rows=0 the figure comes without axes.
-    size : (float, float)
-        Width and height in inches, at 100 dots per inch.
-    **subplots_kw
-        Passed to `Figure.subplots`, for instance sharex=True or height_ratios=(2, 1).
-
-    Returns
-    -------
-    fig : matplotlib Figure
-    axes : Axes, array of Axes or None
-        One Axes, or an array of them as `Figure.subplots` gives it; None when rows=0.
-
-    Examples
-    --------
-    >>> from kflearn import plots
-    >>> fig, (above, below) = plots.figure(2, sharex=True, size=(6, 4))
-    >>> fig.get_size_inches().tolist()
-    [6.0, 4.0]
-    """
-    with style():
-        fig = Figure(figsize=size)
-        FigureCanvasAgg(fig)
-        axes = fig.subplots(rows, columns, **subplots_kw) if rows else None
-    return fig, axes
 
 
 # ---- the vocabulary
@@ -292,3 +262,37 @@ def density(ax, x_grid, mean, variance, kind="estimate", label=None, **look) -> 
     (0.5, 4)
     """
     return Density(ax, x_grid, mean, variance, kind, label, **look)
+
+
+def innovations(ax, t, innovation, std, label="innovation", **look) -> Innovations:
+    """Draw innovations inside their band ±2√S: the daily check of a filter that needs no truth.
+
+    An honest filter has about 95 in 100 of its innovations inside the band, on both sides of zero, without runs of
+    one sign. Those outside are marked with a ring.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    t : array (T,)
+        Times.
+    innovation : array (T,)
+        Reading minus predicted reading; NaN where there was none.
+    std : array (T,)
+        √S, the standard deviation that the filter expects of it, in the unit of the innovation.
+    label, **look
+        As in `truth`.
+
+    Returns
+    -------
+    Innovations
+        `.set(t, innovation, std)` moves dots, rings and band together; `.outside` is the share of the readings outside.
+
+    Examples
+    --------
+    >>> from kflearn import plots
+    >>> fig, ax = plots.figure()
+    >>> drawn = plots.innovations(ax, [0, 1, 2, 3], [0.5, -1.0, 3.0, 0.2], [1, 1, 1, 1])
+    >>> print(f"{drawn.outside:.2f}")
+    0.25
+    """
+    return Innovations(ax, t, innovation, std, label, **look)
