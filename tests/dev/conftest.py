@@ -15,7 +15,7 @@ from tests.dev.web import BUILT, Page, build
 @pytest.fixture(scope="session")
 def site(tmp_path_factory):
     """The folder of a page of three lessons."""
-    return Path(BUILT) if BUILT else build(tmp_path_factory.mktemp("site") / "site", "04,05,13")
+    return Path(BUILT) if BUILT else build(tmp_path_factory.mktemp("site") / "site", "04,05,15")
 
 
 @pytest.fixture(scope="session")

@@ -82,7 +82,7 @@ def test_recordings_are_where_the_pages_look_for_them(site):
 
 def test_a_page_without_playground_loads_nothing_for_one(pages):
     parts = {part.split("?")[0] for part in pages["appendix-glossary.html"].parts}
-    assert "_static/large.js" in parts and not parts & {"_static/recorded.js", "_static/playground.css"}
+    assert "_static/reach.js" in parts and not parts & {"_static/recorded.js", "_static/playground.css"}
 
 
 def test_formulas_and_references(site, pages):

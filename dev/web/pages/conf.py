@@ -36,7 +36,7 @@ html_baseurl = facts["site"]
 html_search_scorer = str(HERE / "scorer.js")
 html_favicon = "static/favicon.svg"
 html_css_files = ["course.css"]
-html_js_files = [("large.js", {"defer": "defer"})]
+html_js_files = [("reach.js", {"defer": "defer"})]
 html_math_renderer = "mathml"
 html_copy_source = html_show_sourcelink = html_show_sphinx = False
 html_show_copyright = html_use_index = False

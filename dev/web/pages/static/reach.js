@@ -1,0 +1,16 @@
+// On a phone a tap makes a picture as large as it is, and another one small again: see course.css.
+
+document.addEventListener("click", ({ target }) => {
+  if (target.matches(".cell_output img:not(.playground *)")) target.classList.toggle("large");
+  if (target.matches(".kf-picture > :is(canvas, img)")) target.parentElement.classList.toggle("large");
+});
+
+// Code that is wider than the page can be scrolled with keys too: Tab goes there.
+
+const wide = new ResizeObserver((all) => {
+  for (const { target } of all) {
+    if (target.scrollWidth > target.clientWidth) target.tabIndex = 0;
+    else target.removeAttribute("tabindex");
+  }
+});
+for (const code of document.querySelectorAll("pre")) wide.observe(code);
