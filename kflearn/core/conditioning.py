@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .matrices import congruence, correlations, symmetric
+from .matrices import congruence, correlations, identity, symmetric
 
 ROUNDING = np.finfo(float).eps  # as much may be left of a variance of 1 by rounding alone: one unit in the last place
 
@@ -13,7 +13,7 @@ def covariance_after(gain, P, H, R, basis=None):
     This is Joseph's form, positive semi-definite for any K. For sigma points with the `basis` L, L Lᵀ = P, H is the
     slope along L: (L−KH)(L−KH)ᵀ + KRKᵀ.
     """
-    keep = (np.eye(P.shape[-1]) if basis is None else basis) - gain @ H
+    keep = (identity(P.shape[-1]) if basis is None else basis) - gain @ H
     left = congruence(keep, P)[0] if basis is None else keep @ keep.mT
     return symmetric(left + congruence(gain, R)[0])
 

@@ -1,6 +1,16 @@
 """Products, roots and slices of matrices (..., n, n). Nothing is checked here."""
 
+from functools import cache
+
 import numpy as np
+
+
+@cache
+def identity(n) -> np.ndarray:
+    """The identity matrix (n, n), made once; nobody can write into it."""
+    eye = np.eye(n)
+    eye.flags.writeable = False
+    return eye
 
 
 def symmetric(P) -> np.ndarray:

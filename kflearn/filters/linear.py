@@ -92,10 +92,12 @@ def _distinct_steps(model, P, missing, step, carry, same):
         return None
     matrices = [M if M.ndim == 2 else M[first if len(M) > 1 else [0] * len(first)] for M in _matrices(model)]
 
+    constant, whole = all(M.ndim == 2 for M in matrices), not masks.any()
+
     def take(carried, symbol):
         kind, gap = symbol // len(masks), symbol % len(masks)
-        own = (M if M.ndim == 2 else M[kind] for M in matrices)
-        return step(carried, *own, masks[gap] if masks[gap].any() else None)
+        own = matrices if constant else [M if M.ndim == 2 else M[kind] for M in matrices]
+        return step(carried, *own, None if whole or not masks[gap].any() else masks[gap])
 
     plan = walk(kinds * len(masks) + gaps, carry(P), take, same)
     return Walk(Step(*plan.parts), plan.index)

@@ -55,8 +55,8 @@ class Estimate(Drawn):
         fit(self.artists)
 
     def _move(self, x, mean, std=None):
-        width = 0 if std is None else 2 * np.ma.asarray(std, dtype=float)
-        mean = np.ma.asarray(mean, dtype=float)
+        width = 0 if std is None else 2 * np.asanyarray(std, dtype=float)
+        mean = np.asanyarray(mean, dtype=float)
         self.artists[0].set_data(x, mean - width, mean + width)
         self.artists[1].set_data(x, mean)
 
