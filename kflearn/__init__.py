@@ -27,7 +27,7 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Starts: start_from,
 diffuse_start. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother,
 two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
-with_error, a mean over runs with its standard error. Models: random_walk, constant_velocity, constant_acceleration,
+with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
 singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
 recordings (which raises RecordingError), bearings, homing, navigation, video, plots.
 """
