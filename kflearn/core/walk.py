@@ -68,7 +68,7 @@ def walk(symbols, start, step, same) -> Walk:
     else:
         index = atlas.one_run(runs[0], most=MOST if runs.size >= LONG else np.inf)
         if index is None:
-            if (blocks := walk_in_blocks(runs[0], start, start, step, same)) is not None:
+            if (blocks := walk_in_blocks(runs[0], start, start, step, same, 3 * atlas.longest // 2)) is not None:
                 return blocks
             index = atlas.one_run(runs[0])
     index = index.reshape(symbols.shape) - 1
@@ -77,14 +77,14 @@ def walk(symbols, start, step, same) -> Walk:
     return Walk(parts, None if (index == straight).all() else index)
 
 
-def walk_in_blocks(symbols, start, guess, step, same) -> Walk | None:
+def walk_in_blocks(symbols, start, guess, step, same, early=64) -> Walk | None:
     """The same for one long series (T,) of which few steps are alike: cut into blocks that are computed side by side.
 
-    Each block begins some steps early, at `guess`, and soon forgets what it began with. Where it really begins, it must
-    agree with the end of the block before it: if not, the early start is made longer, and at last None is returned.
+    Each block begins `early` steps early, at `guess`, and soon forgets what it began with. Where it really begins, it
+    must agree with the end of the block before it: if not, the early start is made longer, and at last None is returned.
     """
     T = len(symbols)
-    for early in (64, 256, 1024):
+    for early in (early, 2 * early, 4 * early, 16 * early):
         length = max(2 * early, int(np.sqrt(T)))
         count = T // length
         if count < 8:
@@ -130,6 +130,7 @@ class _Atlas:
         self.step, self.same, self.parts = step, same, []
         self.carried, self.state, self.count = np.array([start]), np.zeros(1, int), 1
         self.symbols, self.follows = symbols, {}  # {state * symbols + symbol: the step that follows}
+        self.longest = 64  # so many steps, at least, to forget where one came from
         self.rest, self.last = {}, {}  # under each symbol, the state at rest, and the last new one: there may be cycles
 
     def one_run(self, symbols, most=np.inf):
@@ -157,6 +158,7 @@ class _Atlas:
             if after is None:
                 after = self.follows[state * self.symbols + symbol] = self._one(state, symbol)
             if path and after == path[-1]:
+                self.longest = max(self.longest, len(path))
                 return
             path.append(after)
 
