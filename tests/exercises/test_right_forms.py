@@ -65,7 +65,7 @@ def mis(x, P, z, F, H, Q, R):
 
 RIGHT = {
     "start_here.three_readings": [63, 63.0, np.mean([61, 62, 66]), Fraction(63)],
-    "start_here.readings_needed": [100, 100.0, 1 / 0.1**2, np.float64(100)],
+    "start_here.readings_needed": [64, 64.0, (2 / 0.25) ** 2, np.float64(64)],
     "start_here.update_mean": [
         lambda m, n, z: ((n - 1) * m + z) / n,
         lambda a, b, c: (1 - 1 / b) * a + c / b,
