@@ -89,8 +89,8 @@ RIGHT = {
         lambda z, K: sum(K * (1 - K) ** (len(z) - 1 - i) * v for i, v in enumerate(z)) / (1 - (1 - K) ** len(z)),
     ],
     "newton_to_state_space.motion": [
-        lambda dt, m: ([[1, dt], [0, 1]], [[dt * dt / 2 / m], [dt / m]]),
-        lambda T, M: [np.array([[1, T], [0, 1]]), np.array([[T**2 / (2 * M)], [T / M]])],
+        lambda dt, m, c: ([[1, dt - c * dt * dt / 2 / m], [0, 1 - c * dt / m]], [[dt * dt / 2 / m], [dt / m]]),
+        lambda T, M, c: ([[1, T - c * T**2 / M / 2], [0, 1 - c * T / M]], np.array([[T / 2], [1]]) * T / M),
     ],
     "newton_to_state_space.three_sensors": [[[1, 0], [100, 0], [0, 3.6]], np.array([[1, 0], [100, 0], [0, 3.6]])],
     "newton_to_state_space.impossible": ["ACE", "A, C and E", {"A", "C", "E"}, ["A", "C", "E"], "a c e"],
