@@ -77,8 +77,8 @@ RIGHT = {
         lambda e: math.sqrt(sum(v * v for v in e) / len(e)),
         lambda e: (e @ e / e.size) ** 0.5,
     ],
-    "history.dates": [[1, 5], "1 and 5", "1, 5", {1, 5}, (5, 1), np.array([1, 5])],
-    "history.newest_ten": [0.917, 0.9174, 1 - (1 - K) ** 10, sum(K * (1 - K) ** j for j in range(10))],
+    "history.undisturbed": [{"A", "D"}, "AD", "A and D", ["D", "A"], "a, d"],
+    "history.newest_ten": [0.803, 0.8031, 1 - 0.85**10, sum(0.15 * 0.85**j for j in range(10))],
     "history.exponential_weights": [
         loopw,
         lambda K, n: [K * (1 - K) ** j for j in range(n - 1)] + [(1 - K) ** (n - 1)],
