@@ -12,56 +12,69 @@ def far_off():
 
 WRONG = {
     "third_opinion": {
+        "nothing done": (
+            61.6667,
+            "61.67 m is where the cart was believed to be before the satellite. In which direction does 66 m move it, and how far?",
+        ),
         "σ for σ²": (
-            lambda: 61.6667 + 0.8333 / (0.8333 + 2) * (63 - 61.6667),
+            lambda: 61.6667 + 0.8333 / (0.8333 + 2) * (66 - 61.6667),
             "You weighed with σ = 2 m. (12) takes variances: the satellite's is 2² = 4 m², and 0.8333 m² is one already.",
         ),
         "1 − K": (
-            lambda: 61.6667 + 4 / (0.8333 + 4) * (63 - 61.6667),
+            lambda: 61.6667 + 4 / (0.8333 + 4) * (66 - 61.6667),
             "You gave the satellite the prediction's weight: K has the prediction's variance on top, K = 0.8333 / (0.8333 + 4).",
         ),
         "halfway": (
-            lambda: (61.6667 + 63) / 2,
+            lambda: (61.6667 + 66) / 2,
             "That is the plain average. The satellite (variance 4) knows less than the fused cart (variance 0.83) and must count less.",
         ),
         "old prediction": (
-            lambda: 60 + 5 / 9 * 3,
-            "61.67 m is where the cart was believed to be before the satellite. (Who fuses the satellite with N(60, 5), without the tape, gets the same number by chance.) Which way does 63 m pull it, and how far?",
+            lambda: 60 + 5 / 9 * 6,
+            "You fused the satellite with the old prediction N(60, 5), so the tape is left out: begin with N(61.6667, 0.8333).",
         ),
         "satellite alone": (
-            63,
-            "63 m is the satellite alone. The 61.6667 m were worth more than it, as their variance is smaller.",
+            66,
+            "66 m is the satellite alone. The 61.6667 m count more than it, as their variance is smaller.",
         ),
         "wrong sign": (
-            lambda: 61.6667 - 0.8333 / (0.8333 + 4) * (63 - 61.6667),
-            "The size of the step is right, but you went away from the satellite: 63 lies above 61.6667.",
+            lambda: 61.6667 - 0.8333 / (0.8333 + 4) * (66 - 61.6667),
+            "The size of the step is right, but you went away from the satellite: 66 is above 61.6667.",
         ),
         "variance": (lambda: 0.8333 * 4 / (0.8333 + 4), "That is the fused variance, in m². The mean was asked for."),
-        "K": (lambda: 0.8333 / (0.8333 + 4), "That is the gain K. Go on: 61.6667 plus K times the way to 63."),
+        "K": (lambda: 0.8333 / (0.8333 + 4), "That is the gain K. Go on: 61.6667 plus K times the way to 66."),
         "tape and satellite": (
-            62.2,
-            "You fused the tape N(62, 1) with the satellite. The prediction has been forgotten: begin with N(61.6667, 0.8333).",
+            62.8,
+            "You fused the tape N(62, 1) with the satellite, so the prediction is left out: begin with N(61.6667, 0.8333).",
         ),
         "1 − K itself": (
             lambda: 4 / (0.8333 + 4),
-            "That is 1 − K. Form K, and then 61.6667 plus K times the way to 63.",
+            "That is 1 − K. Form K, and then 61.6667 plus K times the way to 66.",
         ),
-        "with the old prediction": (
-            61.5,
-            "61.5 m is halfway between 60 and 63 m. Begin with N(61.6667, 0.8333), which contains the tape, and weigh.",
-        ),
+        "tape": (62, "62 m is the tape's reading. Begin with N(61.6667, 0.8333), which contains it already."),
         "tape and satellite halfway": (
-            62.5,
-            "62.5 m is halfway between the tape and the satellite. Begin with N(61.6667, 0.8333), and weigh.",
+            64,
+            "64 m is halfway between the tape and the satellite. Begin with N(61.6667, 0.8333), and weigh.",
         ),
-        "the step": (lambda: 0.8333 / (0.8333 + 4) * (63 - 61.6667), "That is the step alone. Add it to 61.6667 m."),
+        "the step": (lambda: 0.8333 / (0.8333 + 4) * (66 - 61.6667), "That is the step alone. Add it to 61.6667 m."),
+        "prediction and satellite halfway": (
+            63,
+            "63 m is halfway between 60 and 66 m. Begin with N(61.6667, 0.8333), which contains the tape, and weigh.",
+        ),
         "prediction": (60, "60 m was the prediction before the tape was read. Begin with N(61.6667, 0.8333)."),
-        "mean and variance": (lambda: (61.8966, 0.6897), "Both are right. Give the mean alone: one number."),
+        "variances as precisions": (
+            lambda: 61.6667 + 0.8333**2 / (0.8333**2 + 4**2) * (66 - 61.6667),
+            "You squared the variances. 0.8333 m² and 4 m² are variances already.",
+        ),
+        "0.8333 taken as σ": (
+            lambda: 61.6667 + 0.8333**2 / (0.8333**2 + 4) * (66 - 61.6667),
+            "You squared 0.8333. In N(61.6667, 0.8333) the second number is a variance already; only the satellite's 2 m is a σ.",
+        ),
+        "mean and variance": (lambda: (62.4138, 0.6897), "Both are right. Give the mean alone: one number."),
     },
     "fuse": {
         "weights swapped": (
             lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
-            "Your variance is right, but the mean has 1 − K in place of K: the vaguer the prediction, the further you must walk.",
+            "Your variance is right, but the mean has 1 − K in place of K: the less certain the prediction, the further you must move.",
         ),
         "σ for σ²": (
             lambda mx, vx, mz, vz: (
@@ -84,7 +97,7 @@ WRONG = {
         ),
         "innovation backwards": (
             lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mx - mz), vx * vz / (vx + vz)),
-            "Your innovation has the wrong sign: measured minus expected, mean_z − mean_x, or you walk away from the tape.",
+            "Your innovation has the wrong sign: measured minus expected, mean_z − mean_x; otherwise the mean moves away from the tape.",
         ),
         "plain average": (
             lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),
@@ -96,7 +109,7 @@ WRONG = {
         ),
         "K swapped in both": (
             lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
-            "Your K has var_z on top: that is 1 − K. In (12) the prediction's variance stands on top, as a vague prediction must give way.",
+            "Your K has var_z on top: that is 1 − K. In (12) the prediction's variance is on top: a less certain prediction gets less weight, and K becomes larger.",
         ),
         "σ in K, everywhere": (
             lambda mx, vx, mz, vz: (
@@ -203,80 +216,91 @@ WRONG = {
         "hundred": (100, "100 readings give σ = 0.1 m: far fewer are enough."),
     },
     "published_claim": {
-        "as published": (
-            lambda mx, vx, mz, vz: (mx, vz),
-            "That is still the published sentence: mean of the prediction, variance of the tape. The tape has not moved the mean at all.",
+        "turned over": (
+            lambda p, r: (r / p, r * (p + r) / (p * r), p * r / (p + r) / p),
+            "All three are turned over: divide the real mean squared error by the claimed variance.",
         ),
-        "only the mean mended": (
-            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vz),
-            "The mean is mended. The second fault remains: σz² is what the tape's own error is worth, before the prediction helped it.",
+        "all means are the fused one": (
+            lambda p, r: (p / (p + r), p / (p + r), 1.0),
+            "Only Anna returns the fused mean. The other two return μx, and its mean squared error is the prediction's variance.",
         ),
-        "only the variance mended": (
-            lambda mx, vx, mz, vz: (mx, vx * vz / (vx + vz)),
-            "The variance is mended. The first fault remains: μx is where the prediction was, before the tape was read.",
+        "all means are μx": (
+            lambda p, r: (p / r, p / r, (p + r) / r),
+            "Two are right. Anna returns the fused mean, so her real mean squared error is the fused variance.",
         ),
-        "the tape alone": (
-            lambda mx, vx, mz, vz: (mz, vz),
-            "N(μz, σz²) is the tape alone: now the prediction is ignored.",
+        "Anna and Ben exchanged": (
+            lambda p, r: (p / r, (p + r) / r, p / (p + r)),
+            "The first is right. Anna's and Ben's are exchanged (the order is published, Anna's, Ben's), or you added the variances where the fused one is needed.",
         ),
-        "weights exchanged": (
-            lambda mx, vx, mz, vz: ((mx * vx + mz * vz) / (vx + vz), vx * vz / (vx + vz)),
-            "The variance is right. In the mean the weights are exchanged: each opinion is multiplied by the variance of the *other* one.",
+        "Ben's claim for all": (
+            lambda p, r: (p / (p * r / (p + r)), 1.0, p / (p * r / (p + r))),
+            "You divided by the fused variance each time. The published version and Anna's claim σz²; only Ben claims the fused variance.",
         ),
-        "variances added": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx + vz),
-            "The mean is right. You added the variances; when two opinions are fused it is the precisions that add.",
+        "the errors alone": (
+            lambda p, r: (p, p * r / (p + r), p),
+            "These are the three real mean squared errors, and they are right. Divide each by the variance that its version claims.",
         ),
-        "the prediction's variance": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx),
-            "The mean is right. Your variance is the prediction's, from before the tape was read.",
+        "the claims alone": (
+            lambda p, r: (r, r, p * r / (p + r)),
+            "These are the three claims. What is wanted is the real mean squared error divided by the claim.",
         ),
-        "averages": (
-            lambda mx, vx, mz, vz: ((mx + mz) / 2, (vx + vz) / 2),
-            "You took plain averages of both. The article's formulas weigh: the less certain opinion counts less.",
+        "deviations": (
+            lambda p, r: (math.sqrt(p / r), math.sqrt(p / (p + r)), math.sqrt((p + r) / r)),
+            "You took roots. The ratio of the variances is wanted, not of the standard deviations.",
         ),
-        "plain mean": (
-            lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),
-            "The variance is right. The mean is the plain average: weigh each opinion by the variance of the other one.",
+        "1 − K for Anna": (
+            lambda p, r: (p / r, r / (p + r), (p + r) / r),
+            "Two are right. For Anna's, the fused variance var_x · var_z / (var_x + var_z) is divided by var_z: var_z drops out on top.",
         ),
-        "variances averaged": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), (vx + vz) / 2),
-            "The mean is right. The variance is no average of the two: it is smaller than each of them.",
+        "the tape's error": (
+            lambda p, r: (1.0, p / (p + r), (p + r) / p),
+            "Anna's is right. In the other two the mean is μx. Its mean squared error is var_x, not var_z.",
         ),
-        "1 − K": (
-            lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
-            "Your K is 1 − K: in (12) the prediction's variance stands on top.",
+        "Ben is honest": (
+            lambda p, r: (p / r, p / (p + r), 1.0),
+            "Two are right. Ben returns μx, so his real mean squared error is var_x, not the fused variance that he claims.",
         ),
-        "precision": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), 1 / vx + 1 / vz),
-            "The mean is right. Your second number is a precision: 1 divided by it is the variance.",
+    },
+    "common_cause": {
+        "c ignored": (
+            lambda P, R, c: P / (P + R),
+            "That is (12), which holds for c = 0. The variance of the sum (1 − K) e⁻ + K v has a third term, twice their covariance.",
         ),
-        "the prediction": (
-            lambda mx, vx, mz, vz: (mx, vx),
-            "That is the prediction alone, as if the tape had not been read.",
+        "below the line only": (
+            lambda P, R, c: P / (P + R - 2 * c),
+            "Below the line is right. The term 2K(1 − K)c has a slope at K = 0 as well, so c appears on top too.",
         ),
-        "the tape's mean": (
-            lambda mx, vx, mz, vz: (mz, vx * vz / (vx + vz)),
-            "The variance is right. The mean is the tape's alone: the prediction pulls it back a part of the way.",
+        "on top only": (
+            lambda P, R, c: (P - c) / (P + R),
+            "On top is right. The term 2K(1 − K)c contains −2K²c, so c appears below the line too.",
         ),
-        "not divided": (
-            lambda mx, vx, mz, vz: (mx * vz + mz * vx, vx * vz),
-            "Both lack a division by the sum of the variances.",
-        ),
-        "product": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx * vz),
-            "The mean is right. The product of the variances is in m⁴: divide it by their sum.",
-        ),
-        "σ as weights": (
-            lambda mx, vx, mz, vz: (
-                (mx * math.sqrt(vz) + mz * math.sqrt(vx)) / (math.sqrt(vx) + math.sqrt(vz)),
-                vx * vz / (vx + vz),
-            ),
-            "The variance is right. In the mean you weighed with standard deviations; the formulas take variances.",
+        "one c below": (
+            lambda P, R, c: (P - c) / (P + R - c),
+            "On top is right. Below the line c stands twice: the covariance is counted twice in the variance of a sum.",
         ),
         "wrong sign": (
-            lambda mx, vx, mz, vz: (mx - vx / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
-            "The variance is right. The mean walks away from the tape: measured minus expected, mean_z − mean_x.",
+            lambda P, R, c: (P + c) / (P + R + 2 * c),
+            "The sign of c is wrong. The estimate is (1 − K) e⁻ + K v, both factors positive, so P(K) has + 2K(1 − K)c. Take its slope again.",
+        ),
+        "1 − K": (
+            lambda P, R, c: (R - c) / (P + R - 2 * c),
+            "That is 1 − K, the share of the prediction. K is the share of the reading.",
+        ),
+        "c once": (
+            lambda P, R, c: (P - c / 2) / (P + R - c),
+            "The covariance of the two parts is counted once in your parabola. In the variance of a sum it counts twice: + 2K(1 − K)c.",
+        ),
+        "the lowest variance": (
+            lambda P, R, c: (P * R - c**2) / (P + R - 2 * c),
+            "That is the lowest variance itself, and it is right. The gain is wanted.",
+        ),
+        "c added below": (
+            lambda P, R, c: (P - c) / (P + R + 2 * c),
+            "On top is right. Below the line the sign of c is wrong: the factor of K² in the parabola is P + R − 2c.",
+        ),
+        "c as the variance of a sum": (
+            lambda P, R, c: P / (P + R + 2 * c),
+            "The innovation is v − e⁻, a difference: its variance is P + R − 2c. And c appears on top as well.",
         ),
     },
 }
