@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._claimed_and_real import WRONG as LAST
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
@@ -81,7 +82,7 @@ def two_variances(rng):
         "Published: var_x / var_z. Anna: fused / var_z. Ben: var_x / fused; with fused = var_x * var_z / (var_x + var_z).",
     ],
     inputs=two_variances,
-    wrong=WRONG["published_claim"],
+    wrong=LAST["published_claim"],
     then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's version claims even more than the published one.",
 )
 def published_claim(var_x, var_z):
@@ -103,7 +104,7 @@ def three_covariances(rng):
         "−2 (1 − K) P + 2 K R + 2 (1 − 2 K) c = 0. Collect what belongs to K: K (P + R − 2 c) = P − c.",
     ],
     inputs=three_covariances,
-    wrong=WRONG["common_cause"],
+    wrong=LAST["common_cause"],
     then="With c = 0 this is (12). If c is larger than P, K is negative; if it is larger than R, K is above 1: then the best estimate is not even between the two numbers.",
 )
 def common_cause(P, R, c):
