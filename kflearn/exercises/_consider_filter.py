@@ -156,8 +156,7 @@ WRONG["late_row"] = {
     ),
     "always the third": (
         correct_always_third,
-        "You set the row of the same state to zero in all trials. The argument `considered` says which state "
-        "it is.",
+        "You set the row of the same state to zero in all trials. The argument `considered` says which state it is.",
     ),
     "P left": (
         correct_with(lambda K, full, P, H, R, c: P),
