@@ -11,8 +11,22 @@ def radar_slope(x, sign=-1, power=3, other=1):
     return np.array([[x[0] / r, 0, x[2] / r, 0], [bent[0], x[0] / r, bent[1], x[2] / r]])
 
 
+def measured(x, step=1e-3):
+    """The Jacobian by the lesson's central difference."""
+
+    def radar(x):
+        r = np.hypot(x[0], x[2])
+        return np.array([r, (x[0] * x[1] + x[2] * x[3]) / r])
+
+    return np.stack([(radar(x + e) - radar(x - e)) / (2 * step) for e in step * np.eye(4)], axis=-1)
+
+
 WRONG = {
     "mended_slope": {
+        "measured": (
+            measured,
+            "That is the central difference. It is right to some eight digits, which is enough to find the slip. Now write the formula.",
+        ),
         "as claimed": (
             lambda x: radar_slope(x, sign=1),
             "That is the claimed Jacobian again. Take its difference from `jacobian(radar, x)`: one entry is not near zero.",
