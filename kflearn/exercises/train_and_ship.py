@@ -196,7 +196,7 @@ def two_point_start(z0, z1, dt, R):
 
 @judged(
     hints=[
-        "Answer the six headings first: state, F, Q, H, R and the start. Which of them change with dt, sd and sigma?",
+        "Fill in the six headings first: state, F, Q, H, R and the start. Which of them change with dt, sd and sigma?",
         "In one step the acceleration a moves the position by a·dt²/2 and the speed by a·dt. Q is the covariance of these two.",
         "Where `z[k]` is NaN, predict and do not correct: `np.isfinite(reading)` tells. Start with position z[0], variance sigma², "
         "and speed 0, variance 9.",
