@@ -96,8 +96,8 @@ def recording(habits, steps, rng) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _source(habits, steps, rng):
-    """Where the sound comes from: constant or drifting, with switches of 50° to 160°."""
-    start = GRID[rng.integers(GRID.size)] if not habits.drift else 360 - habits.drift * steps * rng.uniform(0.3, 0.7)
+    """Where the sound comes from, on the grid or between: constant or drifting, with switches of 50° to 160°."""
+    start = rng.uniform(0, 360) if not habits.drift else 360 - habits.drift * steps * rng.uniform(0.3, 0.7)
     truth = start + habits.drift * np.arange(steps)
     for moment in rng.integers(steps // 8, steps, habits.switches):
         truth[moment:] += rng.choice([-1, 1]) * rng.uniform(50, 160)
