@@ -74,7 +74,7 @@ WRONG = {
         ),
         "rounded down": (
             lambda a, P, Q, R: np.floor((a**2 / 9 - P - R) / Q),
-            "You rounded down. In that step the gate is still a little too narrow: round up.",
+            "That is the last step in which the gate is still a little too narrow. The new speaker is let in one step later: round up.",
         ),
         "3 for 9": (
             lambda a, P, Q, R: np.ceil((a**2 / 3 - P - R) / Q),
@@ -103,10 +103,6 @@ WRONG = {
         "one step late": (
             lambda a, P, Q, R: np.ceil((a**2 / 9 - P - R) / Q) + 1,
             "One too many: in step 1 there is one Q in S already.",
-        ),
-        "refusals": (
-            lambda a, P, Q, R: np.ceil((a**2 / 9 - P - R) / Q) - 1,
-            "That is the number of refusals before. The question is in which step the reading is let in, one later.",
         ),
     },
     "agreeing": {

@@ -91,10 +91,10 @@ def steps(rng):
     x, P, Q, R = (
         float(rng.choice([4, 120, 356])),
         float(rng.integers(1, 9)),
-        float(rng.integers(1, 5)),
-        float(rng.integers(2, 12)),
+        float(rng.integers(2, 14)),
+        float(rng.integers(2, 40)),
     )
-    share = rng.choice([0.2, 0.5, 0.9, 1.1, 1.3, 2.5, 4.0]) * rng.choice([-1, 1])
+    share = rng.choice([0.2, 0.5, 0.7, 0.9, 0.97, 1.1, 1.3, 2.5, 4.0]) * rng.choice([-1, 1])
     return x, P, float(np.round((x + 3 * share * np.sqrt(P + Q + R)) % 360, 1)), Q, R
 
 
