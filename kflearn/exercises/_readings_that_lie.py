@@ -67,7 +67,7 @@ WRONG = {
             "You wrote 3σ into the function. How wide the gate is, is said by sigmas.",
         ),
     },
-    "steps_until_open": {
+    "steps_shut": {
         "not rounded": (
             lambda a, P, Q, R: (a**2 / 9 - P - R) / Q,
             "The formula is right. A step is a whole number: the first one that is at least this large.",

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
+from kflearn.exercises._is_a_covariance import WRONG as NO_COVARIANCE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -162,7 +163,7 @@ def candidates(rng, n):
         "`np.allclose(P, P.T)` answers the first question, `np.linalg.eigvalsh(P).min() >= -1e-9` the second. Both must be True.",
     ],
     inputs=in_turn(candidates, 2, 3),
-    wrong=WRONG["is_a_covariance"],
+    wrong=NO_COVARIANCE["is_a_covariance"],
     then="From P = [[1, 0.2], [0.2, 0.5]] the published prediction makes a matrix that fails this test in one line, and so does the "
     "published update. A test like this one runs in a filter at every step.",
 )

@@ -54,10 +54,10 @@ def openings(rng):
     ],
     inputs=openings,
     rtol=1e-9,
-    wrong=WRONG["steps_until_open"],
+    wrong=WRONG["steps_shut"],
     then="With the lesson's Q = 0.2 and R = 2 a speaker who is 90° away is let in after 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
-def steps_until_open(away, P, Q, R):
+def steps_shut(away, P, Q, R):
     """In which step after the change does a gate of 3σ let the new speaker in, who is `away` degrees from the estimate?
 
     P: the variance after the last accepted reading. In step 1 the gate has S = P + Q + R.
