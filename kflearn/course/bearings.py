@@ -18,6 +18,24 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.angles import angle_difference
+from .gates import Gated, gated_filter, rms, robust_filter, rows_of, scalar_filter, two_states
+
+__all__ = [
+    "GRID",
+    "VARIANTS",
+    "Gated",
+    "Habits",
+    "gated_filter",
+    "nearest",
+    "recording",
+    "rms",
+    "robust_filter",
+    "room",
+    "rows_of",
+    "scalar_filter",
+    "two_states",
+    "walkers",
+]
 
 # The steps from one to the next, in random order; written out, as a generator made here would slow the import down.
 _GAPS = np.array(
@@ -95,9 +113,66 @@ def recording(habits, steps, rng) -> tuple[np.ndarray, np.ndarray]:
     return truth, reported
 
 
+def walkers(drift, runs=30, rng=None) -> tuple[np.ndarray, np.ndarray]:
+    """Calm recordings of speakers who walk at a steady pace.
+
+    Parameters
+    ----------
+    drift : float
+        Degrees a reading.
+    runs : int
+    rng : numpy.random.Generator or int, optional
+
+    Returns
+    -------
+    truth, reported : ndarray (runs, 325)
+
+    Examples
+    --------
+    >>> from kflearn import bearings
+    >>> truth, heard = bearings.walkers(0.5, runs=2, rng=8)
+    >>> print(truth.shape, truth[0, 1] - truth[0, 0])
+    (2, 325) 0.5
+    """
+    rng = np.random.default_rng(rng)
+    found = [recording(VARIANTS["calm"]._replace(drift=drift), 325, rng) for _ in range(runs)]
+    return np.array([truth for truth, _ in found]), np.array([reported for _, reported in found])
+
+
+def room(echoes) -> tuple[np.ndarray, np.ndarray]:
+    """The recording of lesson 9's playground: a walker, one change of speaker, and as many echoes as one likes.
+
+    Each burst of echoes has drawn a number once; `echoes` says up to which number they are heard. More echoes leave
+    those that were there as they are.
+
+    Parameters
+    ----------
+    echoes : float
+        From 0 to 40, roughly per cent of the readings.
+
+    Returns
+    -------
+    truth, reported : ndarray (325,)
+
+    Examples
+    --------
+    >>> from kflearn import bearings
+    >>> truth, heard = bearings.room(0)
+    >>> print(f"{abs(bearings.angle_difference(heard, truth)).max():.0f}°")
+    5°
+    """
+    habits = VARIANTS["reflections"]._replace(bursts=0.0, switches=1, drift=0.2)
+    truth, calm = recording(habits, 325, np.random.default_rng(26))
+    _, spiky = recording(habits._replace(bursts=0.3), 325, np.random.default_rng(26))
+    wrong = spiky != calm
+    burst = np.cumsum(wrong & ~np.append(False, wrong[:-1]))
+    chance = np.random.default_rng(26).random(325)[burst]
+    return truth, np.where(chance < echoes / 40, spiky, calm)
+
+
 def _source(habits, steps, rng):
-    """Where the sound comes from: constant or drifting, with switches of 50° to 160°."""
-    start = GRID[rng.integers(GRID.size)] if not habits.drift else 360 - habits.drift * steps * rng.uniform(0.3, 0.7)
+    """Where the sound comes from, on the grid or between: constant or drifting, with switches of 50° to 160°."""
+    start = rng.uniform(0, 360) if not habits.drift else 360 - habits.drift * steps * rng.uniform(0.3, 0.7)
     truth = start + habits.drift * np.arange(steps)
     for moment in rng.integers(steps // 8, steps, habits.switches):
         truth[moment:] += rng.choice([-1, 1]) * rng.uniform(50, 160)

@@ -26,7 +26,7 @@ WRONG = {
         ),
         "absolute value": (
             lambda d: abs((d + 180) % 360 - 180),
-            "The size is right, but the sign is lost: the filter would turn the same way whatever it hears.",
+            "The size is right, but the sign is lost: the filter would turn the same way for a reading on the left and one on the right.",
         ),
         "absolute value first": (
             lambda d: abs(d) % 360,
@@ -112,7 +112,7 @@ WRONG = {
         ),
         "K and 1 − K swapped": (
             lambda x1, K, dt: dt * x1 * K / (1 - K),
-            "K and 1 − K have changed places: a filter that believes its readings (K near 1) is pulled off less, not more.",
+            "K and 1 − K have changed places: with K near 1 the correction takes nearly all of the push away, so the offset is small.",
         ),
         "negative": (
             lambda x1, K, dt: -dt * x1 * (1 - K) / K,

@@ -1,4 +1,4 @@
-"""Recordings for the open exercise of lesson 8: a speaker among echoes that last longer than the lesson's."""
+"""Recordings for the open exercise of lesson 9: a speaker among echoes that last longer than the lesson's."""
 
 import numpy as np
 

@@ -2,13 +2,12 @@
 
 import numpy as np
 
-from kflearn import angle_difference
 from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
-from kflearn.exercises._judge import series
+from kflearn.exercises._is_a_covariance import WRONG as NO_COVARIANCE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
-from kflearn.exercises.engine import Mark, exercise, judged
+from kflearn.exercises._turns import in_turn
+from kflearn.exercises.engine import exercise
 
 
 def mended_prediction(P, dt, q):
@@ -96,7 +95,7 @@ def beliefs(rng):
 @exercise(
     hints=[
         "The error of the state moves as the state does: e becomes F e. Its covariance is the mean of (F e)(F e)ᵀ.",
-        "F once on the left, once, transposed, on the right; then the jolts, Q. Build F = [[1, dt], [0, 1]] first.",
+        "F stands once on the left and once, transposed, on the right; then Q is added. Build F = [[1, dt], [0, 1]] first.",
         "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
@@ -140,50 +139,34 @@ def right_update(P, K):
     return (np.eye(2) - np.outer(K, [1, 0])) @ P
 
 
-@judged(
-    hints=[
-        "An echo lasts up to 14 readings, and then the speaker is back. How many readings in a row must a gate refuse, before it gives in?",
-        "The first reading may be an echo. What does the middle value of the first fifteen say?",
-        "Take the lesson's `gated_filter` with Q = 0.5 and R = 9, a patience of 14, and start it at the median of the first fifteen "
-        "readings, taken the short way round: `z[0] + np.median(angle_difference(z[:15], z[0]))`.",
-    ],
-    recording=recording,
-    marks=[
-        Mark(
-            "error with one speaker (rms, the short way round)",
-            off(False),
-            high=3,
-            above=of_one,
-            unit="°",
-        ),
-        Mark(
-            "error with two speakers (the 30 readings after the change do not count)",
-            off(True),
-            high=3,
-            above=of_two,
-            unit="°",
-        ),
-    ],
-    form=series,
-    passing=PASSING,
-    failing=FAILING,
-    then="A new speaker is found 15 readings late. No filter can know earlier: until it ends, an echo looks like a new speaker.",
-)
-def speaker(z):
-    """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.
+def candidates(rng, n):
+    """A covariance of n states, or a matrix that cannot be one: its last row and column, or its diagonal, are spoilt."""
+    root = rng.integers(-4, 5, (n, n)) / 2
+    P = root @ root.T + np.eye(n)
+    kind = rng.choice(
+        ["covariance", "not symmetric", "correlation above 1", "negative variances"], p=[0.4, 0.2, 0.2, 0.2]
+    )
+    if kind == "not symmetric":
+        P[n - 1, 0] += rng.choice([-1, 1]) / 8
+    if kind == "correlation above 1":
+        P[n - 1, 0] = P[0, n - 1] = rng.choice([-1, 1]) * (P[0, 0] + P[n - 1, n - 1])
+    if kind == "negative variances":
+        P[[0, n - 1], [0, n - 1]] *= -1
+    return (P,)
 
-    z (325,): bearings in whole degrees, 0 to 359, ten a second. The speaker walks by 0.15° a reading, past north.
-    Echoes last up to 14 readings, are more than 10° off and can be there from the first reading. In about half of
-    the recordings somebody else, elsewhere, takes over, once. Return the bearings (325,) in degrees; whole turns more or
-    less do not matter.
-    """
-    x = z[0] + np.median(angle_difference(z[:15], z[0]))
-    P, R, Q, refused, found = 9.0, 9.0, 0.5, 0, []
-    for reading in z:
-        P, innovation = P + Q, angle_difference(reading, x)
-        far = innovation**2 > 9 * (P + R)
-        refused = refused + 1 if far else 0
-        K = 1 if refused > 14 else 0 if far else P / (P + R)
-        x, P = x + K * innovation, (1 - K) ** 2 * P + K**2 * R
-        found.append(x)
-    return np.array(found)
+
+@exercise(
+    hints=[
+        "There are two questions. Is P equal to its transpose? And is vᵀPv, the variance of a combination v of the states, "
+        "never negative?",
+        "For a symmetric matrix vᵀPv is smallest along an eigenvector, and there it is the smallest eigenvalue.",
+        "`np.allclose(P, P.T)` answers the first question, `np.linalg.eigvalsh(P).min() >= -1e-9` the second. Both must be True.",
+    ],
+    inputs=in_turn(candidates, 2, 3),
+    wrong=NO_COVARIANCE["is_a_covariance"],
+    then="From P = [[1, 0.2], [0.2, 0.5]] the published prediction makes a matrix that fails this test in one line, and so does the "
+    "published update. A test like this one runs in a filter at every step.",
+)
+def is_a_covariance(P):
+    """Can this matrix be a covariance: symmetric, and without a combination of states of negative variance?"""
+    return np.allclose(P, P.T) and np.linalg.eigvalsh(P).min() >= -1e-9

@@ -75,7 +75,7 @@ def test_bursts_of_outliers(recordings):
     assert 0.15 < shares["reflections"] < 0.22
     assert all(share > 0.03 for name, share in shares.items() if name != "calm")
     assert 1.9 < np.mean(lengths) < 2.5
-    assert max(lengths) == 9
+    assert max(lengths) in (9, 10)  # 10 where the speaker changes within a burst
     assert 20 < np.median(peaks) < 40
 
 

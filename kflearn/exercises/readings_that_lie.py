@@ -1,0 +1,166 @@
+"""Lesson 9: readings that lie."""
+
+import numpy as np
+
+from kflearn import angle_difference
+from kflearn.exercises._hints import tried
+from kflearn.exercises._judge import series
+from kflearn.exercises._readings_that_lie import WRONG
+from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
+from kflearn.exercises._turns import in_turn
+from kflearn.exercises.engine import Mark, exercise, judged
+
+
+def readings(rng):
+    """A reading near the limit of a gate, inside it or outside, on either side; often across north."""
+    x, P, R = float(rng.choice([3, 5, 90, 200, 355, 358])), float(rng.integers(1, 20)), float(rng.integers(1, 20))
+    sigmas = float(rng.integers(2, 5))
+    share = rng.choice([0.3, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 2.5]) * rng.choice([-1, 1])
+    return float(np.round((x + share * sigmas * np.sqrt(P + R)) % 360, 1)), x, P, R, sigmas
+
+
+@exercise(
+    hints=[
+        "Three steps: the innovation, the short way round; its standard deviation √S; how many of these it is away.",
+        tried(
+            (10.0, 355.0, 9.0, 16.0, 2.0),
+            "is_refused(10, 355, 9, 16, 2)",
+            "By hand: from 355° to 10° it is 15°, and √S = √(9 + 16) = 5. That is three standard deviations, and two are allowed: True.",
+            "By hand: the reading is 10° and the prediction 355°, so y is 15°. P = 9, R = 16, so √S = 5. That is three standard deviations.",
+        ),
+        "`return angle_difference(reading, x) ** 2 > sigmas**2 * (P + R)`",
+    ],
+    inputs=readings,
+    wrong=WRONG["is_refused"],
+    then="Both sides are squared: the left one over S is the NIS, and 3σ is a limit of 9. An honest filter refuses 0.3 % of its good readings there.",
+)
+def is_refused(reading, x, P, R, sigmas):
+    """Does a gate refuse this reading (degrees)? x, P: the prediction and its variance; R: of the reading; sigmas: the gate."""
+    return angle_difference(reading, x) ** 2 > sigmas**2 * (P + R)
+
+
+def openings(rng):
+    """How far away a new speaker is, and the variances of a filter that refuses its readings."""
+    P, Q, R = float(rng.integers(1, 9)), float(rng.integers(1, 9) / 4), float(rng.integers(2, 12))
+    n = rng.integers(3, 400)
+    return float(np.round(3 * np.sqrt(P + R + (n - 0.4) * Q), 2)), P, Q, R
+
+
+@exercise(
+    hints=[
+        "While nothing is accepted, P grows by Q in each step. In which step is the new speaker inside 3√S for the first time?",
+        "In step n the gate reaches to 3√(P + nQ + R). Set this equal to the distance, and solve for n.",
+        "n = (away²/9 − P − R)/Q, rounded up to a whole number: `np.ceil`.",
+    ],
+    inputs=openings,
+    rtol=1e-9,
+    wrong=WRONG["steps_shut"],
+    then="With the lesson's Q = 0.2 and R = 2 a speaker who is 90° away is let in after 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
+)
+def steps_shut(away, P, Q, R):
+    """In which step after the change does a gate of 3σ let the new speaker in, who is `away` degrees from the estimate?
+
+    P: the variance after the last accepted reading. In step 1 the gate has S = P + Q + R.
+    """
+    return np.ceil((away**2 / 9 - P - R) / Q)
+
+
+def refusals(rng, n):
+    """Refused readings that cluster at two places, one of them near north, a new reading and a width."""
+    places = rng.choice([2.0, 357.0, 40.0], n) + rng.choice([-9, -6.5, -3, 0, 3, 6.5, 9], n)
+    return np.mod(places, 360), float(rng.choice([1, 358, 41])), float(rng.choice([5.0, 8.0, 11.0]))
+
+
+@exercise(
+    hints=[
+        "How far is each of the refused readings from the new one, the short way round? Then count.",
+        "`angle_difference` takes whole arrays, and `np.sum` of an array of True and False counts the True.",
+        "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
+    ],
+    inputs=in_turn(refusals, 2, 5, 3, 8),
+    wrong=WRONG["agreeing"],
+    then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
+)
+def agreeing(refused, reading, width):
+    """How many of the refused readings are within ± width of this one (all in degrees)?"""
+    return np.sum(abs(angle_difference(refused, reading)) <= width)
+
+
+def steps(rng):
+    """A belief, a reading inside the gate of 3σ, outside it, or outside only before the correction."""
+    x, P, Q, R = (
+        float(rng.choice([4, 120, 356])),
+        float(rng.integers(1, 9)),
+        float(rng.integers(2, 14)),
+        float(rng.integers(2, 40)),
+    )
+    share = rng.choice([0.2, 0.5, 0.7, 0.9, 0.97, 1.1, 1.3, 2.5, 4.0]) * rng.choice([-1, 1])
+    return x, P, float(np.round((x + 3 * share * np.sqrt(P + Q + R)) % 360, 1)), Q, R
+
+
+@exercise(
+    hints=[
+        "The prediction comes first, whatever the reading is: x stays and P grows by Q. Then the gate decides whether there is a correction.",
+        "A refused reading leaves the prediction as it is: x and P + Q. An accepted one corrects both.",
+        "`S = P + Q + R`, `y = angle_difference(reading, x)`; if `y**2 > 9 * S`: `return x, P + Q`. "
+        "Else K = (P + Q)/S, and `return x + K * y, (1 - K) * (P + Q)`.",
+    ],
+    inputs=steps,
+    wrong=WRONG["gated_step"],
+    then="The gate stands between prediction and correction, where the innovation and its S are those of this reading.",
+)
+def gated_step(x, P, reading, Q, R):
+    """One step of a random walk with a gate of 3σ: the mean (degrees) and the variance after it. x, P: after the step before."""
+    P = P + Q
+    y, S = angle_difference(reading, x), P + R
+    K = 0.0 if y**2 > 9 * S else P / S
+    return x + K * y, (1 - K) * P
+
+
+@judged(
+    hints=[
+        "An echo lasts up to 14 readings, and then the speaker is back. How many readings in a row must a gate refuse, before it gives in?",
+        "The first reading may be an echo. What does the middle value of the first fifteen say?",
+        "Take the lesson's `gated_filter` with Q = 0.5 and R = 9, a patience of 15 refusals and any width, and start it at the median of the first fifteen "
+        "readings, taken the short way round: `z[0] + np.median(angle_difference(z[:15], z[0]))`.",
+    ],
+    recording=recording,
+    marks=[
+        Mark(
+            "error with one speaker (rms, the short way round)",
+            off(False),
+            high=3,
+            above=of_one,
+            unit="°",
+        ),
+        Mark(
+            "error with two speakers (the 30 readings after the change do not count)",
+            off(True),
+            high=3,
+            above=of_two,
+            unit="°",
+        ),
+    ],
+    form=series,
+    passing=PASSING,
+    failing=FAILING,
+    then="A new speaker is found 15 readings late. No filter can know earlier: until it ends, an echo looks like a new speaker.",
+)
+def speaker(z):
+    """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.
+
+    z (325,): bearings in whole degrees, 0 to 359, ten a second. The speaker walks by 0.15° a reading, past north.
+    Echoes last up to 14 readings, are more than 10° off and can be there from the first reading. In about half of
+    the recordings somebody else, elsewhere, takes over, once. Return the bearings (325,) in degrees; whole turns more or
+    less do not matter.
+    """
+    x = z[0] + np.median(angle_difference(z[:15], z[0]))
+    P, R, Q, refused, found = 9.0, 9.0, 0.5, 0, []
+    for reading in z:
+        P, innovation = P + Q, angle_difference(reading, x)
+        far = innovation**2 > 9 * (P + R)
+        refused = refused + 1 if far else 0
+        K = 1 if refused > 14 else 0 if far else P / (P + R)
+        x, P = x + K * innovation, (1 - K) ** 2 * P + K**2 * R
+        found.append(x)
+    return np.array(found)
