@@ -13,7 +13,7 @@ from urllib.parse import urlparse
 import nbformat
 import pytest
 
-from dev import canvas
+from dev import canvas, minutes
 from dev.lab import CHROMIUM, browser
 from dev.lessons import WIDGET, lessons
 from dev.notebooks import execute
@@ -96,6 +96,18 @@ def test_measure(path):
     assert max(words(text) for text in prose[:-1]) <= 200  # the last one holds the sources
     kinds = "".join(cell.cell_type[0] for cell in notebook.cells)
     assert "ccc" not in kinds, "three code cells without prose"
+
+
+@per_lesson
+def test_the_minutes_are_counted(path):
+    """As `python -m dev.minutes` writes them, in the lesson and in the README's table."""
+    notebook = load(path)
+    (said,) = re.findall(
+        r"\*Time\*: (\d+) minutes in class, (\d+) alone with the exercises", "\n".join(texts(notebook))
+    )
+    assert int(said[1]) == minutes.alone(notebook.cells)
+    row = rf"\]\(notebooks/{re.escape(path.name)}\) \|.*\| {said[0]} / {said[1]} \|"
+    assert re.search(row, (ROOT / "README.md").read_text(encoding="utf-8"))
 
 
 @per_lesson
