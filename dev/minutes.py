@@ -18,7 +18,7 @@ TIME = re.compile(r"\*Time\*: (\d+) minutes(?: in class, \d+ alone with the exer
 def alone(cells):
     """Minutes for the cells of a lesson, each a dict or a nbformat node."""
     sources = [(cell["cell_type"], cell["id"], "".join(cell["source"])) for cell in cells]
-    words = sum(len(re.findall(r"\w+", text)) for kind, name, text in sources if kind != "raw")
+    words = sum(len(re.findall(r"\w+", TIME.sub("", text))) for kind, name, text in sources if kind != "raw")
     exercises = sum(text.count(".check(") for kind, name, text in sources if kind == "code")
     opened = sum(name == "open-answer" for kind, name, text in sources)
     return 5 * math.ceil((words / 100 + 3 * exercises + 12 * opened) / 5)

@@ -77,14 +77,15 @@ def walk(symbols, start, step, same) -> Walk:
     return Walk(parts, None if (index == straight).all() else index)
 
 
-def walk_in_blocks(symbols, start, guess, step, same, early=64) -> Walk | None:
+def walk_in_blocks(symbols, start, guess, step, same, shortest=64) -> Walk | None:
     """The same for one long series (T,) of which few steps are alike: cut into blocks that are computed side by side.
 
-    Each block begins `early` steps early, at `guess`, and soon forgets what it began with. Where it really begins, it
-    must agree with the end of the block before it: if not, the early start is made longer, and at last None is returned.
+    Each block begins `shortest` steps early, at `guess`, and soon forgets what it began with. Where it really begins, it
+    must agree with the end of the block before it: if not, the early start is made longer, and at last None is
+    returned.
     """
     T = len(symbols)
-    for early in (early, 2 * early, 4 * early, 16 * early):
+    for early in (shortest, 2 * shortest, 4 * shortest, 16 * shortest):
         length = max(2 * early, int(np.sqrt(T)))
         count = T // length
         if count < 8:
