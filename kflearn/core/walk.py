@@ -80,8 +80,8 @@ def walk(symbols, start, step, same) -> Walk:
 def walk_in_blocks(symbols, start, guess, step, same, shortest=64) -> Walk | None:
     """The same for one long series (T,) of which few steps are alike: cut into blocks that are computed side by side.
 
-    Each block begins `shortest` steps early, at `guess`, and soon forgets what it began with. Where it really begins, it
-    must agree with the end of the block before it: if not, the early start is made longer, and at last None is
+    Each block begins `shortest` steps early, at `guess`, and soon forgets what it began with. Where it really begins,
+    it must agree with the end of the block before it: if not, the early start is made longer, and at last None is
     returned.
     """
     T = len(symbols)

@@ -285,9 +285,14 @@ export function render({ model, el }) {
   function say(text) {
     if (sentence.textContent === text) return;
     sentence.textContent = text;
-    sentence.style.minHeight = `${Math.max(parseFloat(sentence.style.minHeight) || 0, sentence.scrollHeight)}px`;
+    requestAnimationFrame(grow); // not now: to ask for a height would make the browser lay the page out twice
     clearTimeout(state.speak);
     state.speak = setTimeout(() => (spoken.textContent = text), 700);
+  }
+
+  function grow() {
+    const before = parseFloat(sentence.style.minHeight) || 0;
+    if (sentence.scrollHeight > before) sentence.style.minHeight = `${sentence.scrollHeight}px`;
   }
 
   // -- answers: { kind: "stage", ratio, width, height, legends } and its picture; { kind: "picture", … } and its points
