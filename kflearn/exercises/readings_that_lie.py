@@ -121,7 +121,7 @@ def gated_step(x, P, reading, Q, R):
     hints=[
         "An echo lasts up to 14 readings, and then the speaker is back. How many readings in a row must a gate refuse, before it gives in?",
         "The first reading may be an echo. What does the middle value of the first fifteen say?",
-        "Take the lesson's `gated_filter` with Q = 0.5 and R = 9, a patience of 15 refusals and any width, and start it at the median of the first fifteen "
+        "Take the lesson's `gate_only` with Q = 0.5, R = 9 and a gate of 3, start again at the 15th refusal in a row, and begin at the median of the first fifteen "
         "readings, taken the short way round: `z[0] + np.median(angle_difference(z[:15], z[0]))`.",
     ],
     recording=recording,
