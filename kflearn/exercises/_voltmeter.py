@@ -76,6 +76,11 @@ WRONG = {
         ),
         "Q alone": (3, "3 V² is a variance, Q. The gain is a pure number, between 0 and 1."),
         "sum": (14, "14 V² is P⁻ + R, the denominator of the gain."),
+        "one half": (
+            0.5,
+            "A gain of 1/2 would need P⁻ = R = 9 V². Here P⁻ = P + Q is smaller than R.",
+        ),
+        "P by R": (2 / 9, "That is P/R. First P grows by Q; and the gain is P⁻/(P⁻ + R)."),
     },
     "steady_gain": {
         "Q / (Q + R)": (
