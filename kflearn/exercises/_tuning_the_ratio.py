@@ -45,6 +45,10 @@ WRONG = {
             lambda: math.sqrt(balance(0.01, 0.25)),
             "That is 2σ, or the root of the gain without R: with R = 0.25 the two are one number. P = K·R, and one σ is asked for.",
         ),
+        "√q": (
+            0.2,
+            "0.2 is √q, nearly the gain for a small q. Go on: K from K² + qK − q = 0, then P = K·R, then the root.",
+        ),
         "√Q": (
             0.1,
             "0.1 °C is √Q, what the temperature wanders in a minute. What the filter knows of it also depends on R.",
@@ -91,7 +95,7 @@ WRONG = {
         ),
         "whole step as limit": (
             (6.25, 0.09, 0.5**2 / 3),
-            "(a) and (b) are right. In (c), rounding to the nearest half volt errs by a quarter of a volt at most: a = 0.25 V.",
+            "(a) and (b) are right. In (c), rounding to the nearest half volt is wrong by a quarter of a volt at most: a = 0.25 V.",
         ),
         "limit as σ": (
             (6.25, 0.09, 0.0625),

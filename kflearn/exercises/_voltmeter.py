@@ -22,55 +22,65 @@ def forgotten_prediction(Q, R):
 WRONG = {
     "second_gain": {
         "forgot Q": (
-            0.5,
-            "0.5 comes from a prediction with a variance of 4 V² only. What is left from the first reading and what Q adds belong together: P⁻ = P + Q.",
+            2 / 11,
+            "0.182 comes from a prediction with a variance of 2 V² only. What is left from the first reading and what Q adds belong together: P⁻ = P + Q.",
         ),
-        "1 − K": (1 / 3, "That is 1 − K, the weight of the prediction; the gain has P on top."),
+        "1 − K": (9 / 14, "That is 1 − K, the weight of the prediction; the gain has P⁻ on top."),
         "σ for σ²": (
-            math.sqrt(8) / (math.sqrt(8) + 2),
+            math.sqrt(5) / (math.sqrt(5) + 3),
             "You weighed with standard deviations; the gain takes variances.",
         ),
-        "steady gain": (0.618034, "That is where the gain comes to rest later; the second reading meets a larger one."),
-        "Q twice": (0.75, "Q was added twice: only one prediction lies between the first and the second reading."),
+        "steady gain": (
+            lambda: (math.sqrt((3 / 9) ** 2 + 4 * 3 / 9) - 3 / 9) / 2,
+            "That is where the gain settles later. The question is about the second reading, with P⁻ = 2 + 3.",
+        ),
+        "the lesson's": (
+            2 / 3,
+            "That is the second gain of the lesson, where P, Q and R are all 4 V². Here they are 2, 3 and 9 V².",
+        ),
+        "golden": (0.618034, "0.618 is the steady gain for Q = R. Here Q is 3 V² and R is 9 V²."),
+        "Q twice": (8 / 17, "Q was added twice: only one prediction lies between the first and the second reading."),
         "P before": (
-            8,
-            "8 V² is the variance before the second reading. The gain is a pure number: which part of P⁻ + R is it?",
+            5,
+            "5 V² is the variance before the second reading. The gain is a pure number: which part of P⁻ + R is it?",
         ),
         "P after": (
-            8 / 3,
-            "8/3 V² is the variance after the second reading. The gain is a pure number, between 0 and 1.",
+            45 / 14,
+            "45/14 V² is the variance after the second reading. The gain is a pure number, between 0 and 1.",
         ),
         "third": (
-            0.625,
+            0.4084,
             "That is the gain for the third reading. The first reading made the start, so there is one prediction before the second.",
         ),
         "R not added": (
-            2,
+            5 / 9,
             "You divided P⁻ by R alone. The gain is a part of the whole: P⁻/(P⁻ + R), never more than 1.",
+        ),
+        "P forgotten": (
+            3 / 12,
+            "You took P⁻ for Q alone. What was left from the first reading counts too: P⁻ = P + Q = 5 V².",
+        ),
+        "P by Q": (0.4, "That is P/(P + Q). The gain compares the prediction with the reading: P⁻/(P⁻ + R)."),
+        "Q by R": (1 / 3, "That is the ratio Q/R. The gain is P⁻/(P⁻ + R), with P⁻ = P + Q."),
+        "Q and R exchanged": (
+            11 / 14,
+            "You exchanged Q and R: Q is what P grows by, R belongs to the reading.",
+        ),
+        "P after in the gain": (
+            9 / 11,
+            "That is R/(P + R), and Q does not occur in it. First P grows by Q; then P⁻ stands on top.",
         ),
         "first": (
             1,
             "A gain of 1 would believe the reading alone; that is how the filter starts. Go on to the second reading.",
         ),
-        "Q alone": (4, "4 V² is a variance. The gain is a pure number, between 0 and 1."),
-        "0.8": (
-            0.8,
-            "0.8 would need a variance of 16 V² before the reading. After the first reading P is 4 V², and Q adds 4 V².",
+        "Q alone": (3, "3 V² is a variance, Q. The gain is a pure number, between 0 and 1."),
+        "sum": (14, "14 V² is P⁻ + R, the denominator of the gain."),
+        "one half": (
+            0.5,
+            "A gain of 1/2 would need P⁻ = R = 9 V². Here P⁻ = P + Q is smaller than R.",
         ),
-        "0.2": (
-            0.2,
-            "0.2 would need a variance of 1 V² before the reading. After the first reading P is 4 V², and Q adds to it.",
-        ),
-        "1 − 0.618": (
-            0.382,
-            "That is 1 minus the gain at which the filter comes to rest. Calculate the second one: P grows by Q, then K is formed.",
-        ),
-        "0.4": (0.4, "0.4 is no part that P⁻ can have: with P⁻ = P + Q, which part of P⁻ + R is P⁻?"),
-        "0.25": (
-            0.25,
-            "A gain of 0.25 would need a prediction with a third of R. P grows by Q before the gain is formed: it is larger than R.",
-        ),
-        "sum": (12, "12 V² is P⁻ + R, which stands below the line of the gain."),
+        "P by R": (2 / 9, "That is P/R. First P grows by Q; and the gain is P⁻/(P⁻ + R)."),
     },
     "steady_gain": {
         "Q / (Q + R)": (

@@ -17,20 +17,20 @@ from kflearn.exercises.engine import exercise, judged
 @exercise(
     hints=[
         lambda last: (
-            "Your prediction has 4 V². Which line of the loop comes before the gain?"
-            if is_about(last, 0.5)
-            else "Two lines of the loop come before x is touched: P grows, then K is formed."
+            "Your prediction has 2 V². Which line of the loop comes before the gain?"
+            if is_about(last, 2 / 11)
+            else "Two lines of the loop come before x is touched: P grows by Q, then K is formed."
         ),
-        "Before the second reading P has grown from 4 to 4 + Q.",
-        "K = 8 / (8 + 4).",
+        "Before the second reading P has grown from 2 to 2 + Q.",
+        "K = 5 / (5 + 9).",
     ],
     wrong=WRONG["second_gain"],
-    then="The next gains are 0.625, 0.619 and 0.618: after four readings the filter has settled, whatever the readings were.",
+    then="The next gains are 0.408, 0.426 and 0.431: a few readings later the gain has settled at 0.434, whatever the readings were.",
 )
 def second_gain():
-    """The gain for the second reading, with P = 4 V² after the first and Q = R = 4 V²."""
-    before = 4 + 4
-    return before / (before + 4)
+    """The gain for the second reading, with P = 2 V² after the first, Q = 3 V² and R = 9 V²."""
+    before = 2 + 3
+    return before / (before + 9)
 
 
 def noises(rng):

@@ -136,7 +136,7 @@ def hand_in_changed(folder):
         "readings_needed": f"answer_readings_needed = {WRONG[0]!r}",
     }
     save(answered("04", wrong), folder, "gus/04-answers.ipynb")
-    save(answered("05", {"second_gain": 'answer_second_gain = "2/3"'}), folder, "gus/05-answers.ipynb")
+    save(answered("05", {"second_gain": 'answer_second_gain = "5/14"'}), folder, "gus/05-answers.ipynb")
 
 
 WRONG = next(iter(gaussian_fusion.readings_needed.wrong.values()))  # an answer, and the sentence about it

@@ -122,7 +122,7 @@ RIGHT = {
     "gaussian_fusion.readings_needed": [11, 11.0, math.ceil(1 / 0.09 - 0.2)],
     "gaussian_fusion.published_claim": [lambda p, q: (p / q, p / (p + q), 1 + p / q)],
     "gaussian_fusion.common_cause": [lambda P, R, c: 1 - (R - c) / (P + R - 2 * c)],
-    "voltmeter.second_gain": [2 / 3, 0.667, 0.6667, 8 / 12, Fraction(2, 3)],
+    "voltmeter.second_gain": [5 / 14, 0.357, 0.3571, 10 / 28, Fraction(5, 14)],
     "voltmeter.steady_gain": [
         lambda Q, R: (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,
         steps(100, lambda Q, R: R),
