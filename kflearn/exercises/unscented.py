@@ -18,7 +18,10 @@ def image(degrees):
         "2/3 · 100 + 1/6 · 100 sin(90° + √3 · 30°) + 1/6 · 100 sin(90° − √3 · 30°); √3 · 30° is 51.96°.",
     ],
     wrong={
-        "tangent": (100.0, "That is the answer of the tangent, the image of the mean. Two points lie lower on the arc and pull the mean down."),
+        "tangent": (
+            100.0,
+            "That is the answer of the tangent, the image of the mean. Two points lie lower on the arc and pull the mean down.",
+        ),
         "one sigma": (
             lambda: 2 / 3 * 100 + 1 / 3 * image(120),
             "The weights are right, but your outer points sit at ±1σ. They sit at ±√scale σ, with scale = 3.",
