@@ -103,13 +103,38 @@ def model(distance=1000.0) -> NonlinearModel:
     return _MODEL.replace(R=noise(np.asarray(check.numbers("distance", distance))))
 
 
-def step(belief, z, u, distance, through=linearize) -> Gaussian:
+def place(z, distance) -> np.ndarray:
+    """The place (..., 3) that two angles (..., 2) and a distance (...) say: east, up, north, in metres."""
+    up, side = z[..., 0], z[..., 1]
+    direction = [np.cos(up) * np.cos(side), np.sin(up), -np.cos(up) * np.sin(side)]
+    return distance[..., None] * np.stack(direction, axis=-1)
+
+
+def unseen(belief) -> np.ndarray:
+    """What a tangent does not see of the angles: σ² along the line of sight times σ² across it, over d⁴.
+
+    A variance in rad², to be added to R as (..., 1, 2, 2). An error along a line that is turned by the error across it
+    looks like an error across.
+    """
+    r, P = belief.mean[..., :3], belief.cov[..., :3, :3]
+    d = np.linalg.norm(r, axis=-1)
+    sight = r / d[..., None]
+    along = np.vecdot(sight, np.matvec(P, sight))
+    across = (np.trace(P, axis1=-2, axis2=-1) - along) / 2  # there are two directions across
+    return (along * across / d**4)[..., None, None, None] * np.eye(2)
+
+
+def step(belief, z, u, distance, through=linearize, larger_R=False) -> Gaussian:
     """The published filter's step: predict with the acceleration u (..., 3), correct with the angles z (..., 2).
 
-    belief: Gaussian of the nine states; distance (...): of the target, in m; through: see `filters.moments`.
+    belief: Gaussian of the nine states; distance (...): of the target, in m; through: see `filters.moments`;
+    larger_R: whether to add to R what a tangent does not see.
     """
     now = model(distance)
-    return correct(now, predict(now, belief, u, through=through), z, through=through)
+    belief = predict(now, belief, u, through=through)
+    if larger_R:
+        now = now.replace(R=now.R + unseen(belief))
+    return correct(now, belief, z, through=through)
 
 
 class Flight(NamedTuple):
@@ -154,6 +179,7 @@ def fly(
     measured=True,
     start=START,
     through=linearize,
+    larger_R=False,
 ) -> Flight:
     """Let missiles fly, each with a filter that watches its target; 366 steps of 0.01 s.
 
@@ -175,6 +201,8 @@ def fly(
         What the filter believes before the first step.
     through : callable
         How the filter corrects, see `filters.moments`.
+    larger_R : bool
+        True adds to R what a tangent does not see, see `unseen`.
 
     Raises
     ------
@@ -194,7 +222,8 @@ def fly(
         x, z, away = _fly_on(x, applied, rng)
         ranges = {"truth": away, "estimate": np.linalg.norm(belief.mean[..., :3], axis=-1)}
         seen = z if measured else np.full_like(z, np.nan)
-        belief = step(belief, seen, believed, ranges[distance] if isinstance(distance, str) else distance, through)
+        told_distance = ranges[distance] if isinstance(distance, str) else distance
+        belief = step(belief, seen, believed, told_distance, through, larger_R)
         rows.append((x, z, belief.mean, np.broadcast_to(belief.cov, (runs, 9, 9)), applied, believed))
     return Flight(*(np.stack(part, axis=1) for part in zip(*rows, strict=True)))
 

@@ -13,60 +13,80 @@ from kflearn.exercises.engine import exercise
     hints=[
         after(
             30,
-            "30 m is what each of the two claims. Where is the blend's mean, and how far is each model from it?",
-            "The blend's mean is halfway. How far is each model from it?",
+            "30 m is what each of the two models claims. Where is the blend's mean, and how far is each model from it?",
+            "The blend's mean is halfway, at 40 m. How far is each model from it?",
         ),
         "Variance of the blend: the mean of the two variances plus the mean of the two squared distances to the blend's mean.",
-        "`np.sqrt(30**2 + 30**2)`, because each of the two means is 30 m from the middle.",
+        "`np.sqrt(30**2 + 40**2)`, because each of the two means is 40 m from the middle.",
     ],
     wrong={
         "spread forgotten": (
             30.0,
-            "30 m is the σ of each bell, and also how far each mean is from the middle. The blend needs both: variance plus squared distance, then the root.",
+            "30 m is the σ of each Gaussian. The means are apart as well: add the squared distance of each mean from the middle, then take the root.",
+        ),
+        "spread alone": (
+            40.0,
+            "40 m is the distance of each mean from the middle. Each Gaussian has a width of its own as well: add its variance, then take the root.",
         ),
         "fused": (
             30 / math.sqrt(2),
             "You fused them, as if both were right. Only one of them is, and nobody knows which: a blend is wider.",
         ),
-        "variance": (1800.0, "That is the variance, in m²; σ is its root."),
+        "variance": (2500.0, "That is the variance, in m²; σ is its root."),
         "distance between the two": (
-            math.hypot(30, 60),
-            "You took the distance between the two means, 60 m. It is the distance to the blend's mean that counts, 30 m.",
+            math.hypot(30, 80),
+            "You took the distance between the two means, 80 m. It is the distance to the blend's mean that counts, 40 m.",
         ),
-        "deviations added": (
+        "distance, not squared": (
+            80.0,
+            "80 m is the distance between the two means. Add the variance of a Gaussian and the squared distance of its mean from the middle.",
+        ),
+        "σ and distance added": (
+            70.0,
+            "You added σ and the distance from the middle. Add their squares, and take the root.",
+        ),
+        "both σ": (
             60.0,
-            "60 m is the sum of the two σ, and the distance of the two means. Add squares instead: the variance of a bell, and its squared distance from the blend's mean.",
+            "60 m is the sum of the two σ. Add squares instead: the variance of a Gaussian, and the squared distance of its mean from the middle.",
         ),
         "variance of one": (
             900.0,
-            "900 m² is the variance of one bell. What is missing is the squared distance to the blend's mean, and then the root.",
+            "900 m² is the variance of one Gaussian. What is missing is the squared distance to the blend's mean, and then the root.",
         ),
         "half of it": (
             15.0,
             "15 m is half of a σ. Take the mean of the two variances, add the squared distance of each mean from the middle, then take the root.",
         ),
         "spread for one only": (
-            math.sqrt(1350),
-            "You counted the spread for one of the two bells only, or halved it: each of the two means is 30 m from the middle.",
+            math.sqrt(30**2 + 40**2 / 2),
+            "You counted the spread for one of the two Gaussians only, or halved it: each of the two means is 40 m from the middle.",
         ),
         "everything added": (
-            90.0,
+            110.0,
             "You added σ and the distance of the means. Variances and squared distances add; the root comes last.",
         ),
         "both variances": (
-            math.hypot(30, math.hypot(30, 30)),
+            math.sqrt(2 * 30**2 + 40**2),
             "You added both variances in full. The blend takes their weighted mean, half of each.",
+        ),
+        "both variances, both spreads": (
+            math.sqrt(2 * 30**2 + 2 * 40**2),
+            "You added everything for both models. Each counts with its weight, one half.",
+        ),
+        "half the variance": (
+            math.sqrt(30**2 / 2 + 40**2),
+            "You halved the variance. The mean of two equal variances, half of each, is one of them: 900 m².",
         ),
     },
     unit="m",
     then=(
-        "A blend of two that disagree is wider than either of them: 42.4 m. Fusing them, as two opinions about one"
-        " thing, would have given 21.2 m."
+        "The blend of two that disagree is wider than either of them: 50 m. Fusing them, as two opinions that are both"
+        " right, would have given 21.2 m."
     ),
 )
 def blended_sigma():
-    """The σ of the blend of two equally probable bells, 0 m and 60 m, each with σ = 30 m."""
-    return math.sqrt(30**2 + 30**2)
+    """The σ of the blend of two equally probable Gaussians, 0 m and 80 m, each with σ = 30 m."""
+    return math.sqrt(30**2 + 40**2)
 
 
 def stays_and_clock(rng):
@@ -254,6 +274,10 @@ def swapped(z):
             lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 1] - z[:, 0]) * T),
             "You multiplied by T. A speed is a difference of positions divided by the time between them.",
         ),
+        "the first positions alone": (
+            lambda z, T: z[:, 0],
+            "The first positions are right. Return two things: the first positions, and then the states.",
+        ),
         "the state alone": (
             lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 1] - z[:, 0]) / T)[1],
             "The states are right. Return two things: the first positions, and then the states.",
@@ -271,13 +295,13 @@ def mended_start(z, T):
 @exercise(
     hints=[
         "The matrix, call it G, is used in one place only: Q = G q Gᵀ. What is q for the straight model?",
-        "The straight model “has never heard of turns”: its q is 0. What is G · 0 · Gᵀ?",
+        "The straight model expects no turn, ever: its q is 0. What is G · 0 · Gᵀ?",
         "G · 0 · Gᵀ is zero with the wrong G and with the right one: “nothing”.",
     ],
     wrong={
         "smaller": (
             "smaller",
-            "So one would hope. But G enters only by Q = G q Gᵀ, and for this model q = 0: Q is zero with any G.",
+            "One might expect that. But G enters only by Q = G q Gᵀ, and for this model q = 0: Q is zero with any G.",
         ),
         "larger": (
             "larger",

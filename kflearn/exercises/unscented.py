@@ -18,7 +18,10 @@ def image(degrees):
         "2/3 · 100 + 1/6 · 100 sin(90° + √3 · 30°) + 1/6 · 100 sin(90° − √3 · 30°); √3 · 30° is 51.96°.",
     ],
     wrong={
-        "tangent": (100.0, "That is the tangent's answer, the image of the mean. Two points must slide down the arc."),
+        "tangent": (
+            100.0,
+            "That is the answer of the tangent, the image of the mean. Two points lie lower on the arc and pull the mean down.",
+        ),
         "one sigma": (
             lambda: 2 / 3 * 100 + 1 / 3 * image(120),
             "The weights are right, but your outer points sit at ±1σ. They sit at ±√scale σ, with scale = 3.",
@@ -77,7 +80,7 @@ def three_points():
 @exercise(
     hints=[
         "With λ = 3 − n, n + λ is 3, for any n. The declaration says α²(n + κ).",
-        "Solve α²(4 + κ) = 3 for κ, once for each α. For α = 1 you find it in the loop of this cell.",
+        "Solve α²(4 + κ) = 3 for κ, once for each α.",
         "α = 1: κ = 3 − 4. α = ½: 4 + κ = 3/0.25 = 12.",
     ],
     wrong={
@@ -142,7 +145,7 @@ def columns(P):
 
 @exercise(
     hints=[
-        "The points are to carry the whole predicted belief. What is its covariance, once Q is in?",
+        "The points must represent the whole predicted belief. What is its covariance, after Q has been added?",
         "`sigma_points` does it all, if it gets the right covariance.",
         "`return sigma_points(mean, P + Q, scale)`.",
     ],
@@ -150,7 +153,7 @@ def columns(P):
     wrong={
         "as published": (
             lambda mean, P, Q, scale: around(mean, columns(scale * P)),
-            "Those are points for P alone, as published: they do not know that Q has widened the belief.",
+            "Those are points for P alone, as published. Q has made the belief wider, and the points must have the covariance P + Q.",
         ),
         "Q alone": (
             lambda mean, P, Q, scale: around(mean, columns(scale * Q)),
@@ -213,8 +216,8 @@ def columns(P):
     }
     | MORE["redrawn"],
     then=(
-        "With Q = 0 the moved points and the redrawn ones have the same mean and covariance; only where something "
-        "is added must the points be drawn anew."
+        "With Q = 0 the moved points and the new ones have the same mean and covariance. Only where something "
+        "is added must the points be drawn again."
     ),
 )
 def redrawn(mean, P, Q, scale):
@@ -271,7 +274,7 @@ def redrawn(mean, P, Q, scale):
     }
     | MORE["start_nees"],
     then=(
-        "The claim is too modest by a factor of 6/0.042, about 143 in variance: a NEES far below its band says so,"
+        "The claimed variance is too large by a factor of 6/0.042, about 143. A NEES far below its band shows that,"
         " while the error alone looks excellent."
     ),
 )
