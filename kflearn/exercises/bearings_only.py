@@ -139,7 +139,7 @@ def bearing_variance(sd):
         ),
     },
     unit="m/s",
-    then="Every distance has such a twin. The twins separate only when we change our own velocity, so the ship must turn.",
+    then="Every distance has such a twin. The twins separate only when we change our own velocity: by a turn, or by a change of speed.",
 )
 def twin_velocity():
     """The own velocity (east, north) of the target twice as far away that shows the same bearings."""
