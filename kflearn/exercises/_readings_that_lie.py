@@ -74,7 +74,7 @@ WRONG = {
         ),
         "rounded down": (
             lambda a, P, Q, R: np.floor((a**2 / 9 - P - R) / Q),
-            "That is the last step in which the gate is still a little too narrow. The new speaker is let in one step later: round up.",
+            "That is one step too early, when the gate is still a little too narrow. Round up; and step 1 has one Q in S already, so S = P + nQ + R in step n.",
         ),
         "3 for 9": (
             lambda a, P, Q, R: np.ceil((a**2 / 3 - P - R) / Q),

@@ -55,7 +55,7 @@ def openings(rng):
     inputs=openings,
     rtol=1e-9,
     wrong=WRONG["steps_shut"],
-    then="With the lesson's Q = 0.2 and R = 2 a speaker who is 90° away is let in after 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
+    then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
 def steps_shut(away, P, Q, R):
     """In which step after the change does a gate of 3σ let the new speaker in, who is `away` degrees from the estimate?
@@ -98,6 +98,13 @@ def steps(rng):
     return x, P, float(np.round((x + 3 * share * np.sqrt(P + Q + R)) % 360, 1)), Q, R
 
 
+def whole_turns_off(x, P, reading, Q, R):
+    """The same step, with the mean brought back to 0 … 360."""
+    y, S = angle_difference(reading, x), P + Q + R
+    K = 0.0 if y**2 > 9 * S else (P + Q) / S
+    return (x + K * y) % 360, (1 - K) * (P + Q)
+
+
 @exercise(
     hints=[
         "The prediction comes first, whatever the reading is: x stays and P grows by Q. Then the gate decides whether there is a correction.",
@@ -107,6 +114,7 @@ def steps(rng):
     ],
     inputs=steps,
     wrong=WRONG["gated_step"],
+    also=[whole_turns_off],
     then="The gate stands between prediction and correction, where the innovation and its S are those of this reading.",
 )
 def gated_step(x, P, reading, Q, R):

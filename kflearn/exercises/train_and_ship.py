@@ -136,7 +136,7 @@ def report(errors):
         ),
         "not squared, not divided": (
             6.0,
-            "That is the radius of the sheet itself. First find σ of one axis, then square it.",
+            "6 is the radius of the sheet itself, and not an R. (You get 6 also if you take 6 m for R95, 2.45 σ. But half of the fixes are within 1.18 σ.) First find σ of one axis, then square it.",
         ),
         "rms distance, not squared": (
             lambda: 6 / math.sqrt(2),
