@@ -68,7 +68,7 @@ WRONG = {
         ),
         "wrong sign": (
             lambda P, R, c: (P + c) / (P + R + 2 * c),
-            "The sign of c is wrong. The estimate is (1 − K) e⁻ + K v, both factors positive, so P(K) has + 2K(1 − K)c. Take its slope again.",
+            "The sign of c is wrong. The error is (1 − K) e⁻ + K v, with a plus between the two parts, so P(K) has + 2K(1 − K)c. Take its slope again.",
         ),
         "1 − K": (
             lambda P, R, c: (R - c) / (P + R - 2 * c),

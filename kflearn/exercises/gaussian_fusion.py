@@ -83,7 +83,7 @@ def two_variances(rng):
     ],
     inputs=two_variances,
     wrong=LAST["published_claim"],
-    then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's version claims even more than the published one.",
+    then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's ratio is even larger than that of the published version.",
 )
 def published_claim(var_x, var_z):
     """Real mean squared error over claimed variance: of N(μx, σz²), and with only its mean or only its variance mended."""

@@ -17,7 +17,7 @@ from kflearn.exercises.engine import exercise
         "F P Fᵀ = [[18, 7], [7, 3]]; add 4 and 1 on the diagonal.",
     ],
     wrong=WRONG["predicted_covariance"],
-    then="The errors of position and velocity now belong together more closely: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75, by the motion alone.",
+    then="The errors of position and velocity now belong together more closely: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75. The motion alone would make it 7/√54 = 0.95; the bumps lower it again.",
 )
 def predicted_covariance():
     """The predicted covariance for dt = 2 s, P = [[2, 1], [1, 3]], Q = diag(4, 1)."""
