@@ -53,31 +53,8 @@ from kflearn.exercises.engine import exercise
             900.0,
             "900 m² is the variance of one Gaussian. What is missing is the squared distance to the blend's mean, and then the root.",
         ),
-        "half of it": (
-            15.0,
-            "15 m is half of a σ. Take the mean of the two variances, add the squared distance of each mean from the middle, then take the root.",
-        ),
-        "spread for one only": (
-            math.sqrt(30**2 + 40**2 / 2),
-            "You counted the spread for one of the two Gaussians only, or halved it: each of the two means is 40 m from the middle.",
-        ),
-        "everything added": (
-            110.0,
-            "You added σ and the distance of the means. Variances and squared distances add; the root comes last.",
-        ),
-        "both variances": (
-            math.sqrt(2 * 30**2 + 40**2),
-            "You added both variances in full. The blend takes their weighted mean, half of each.",
-        ),
-        "both variances, both spreads": (
-            math.sqrt(2 * 30**2 + 2 * 40**2),
-            "You added everything for both models. Each counts with its weight, one half.",
-        ),
-        "half the variance": (
-            math.sqrt(30**2 / 2 + 40**2),
-            "You halved the variance. The mean of two equal variances, half of each, is one of them: 900 m².",
-        ),
-    },
+    }
+    | MORE["blended_sigma"],
     unit="m",
     then=(
         "The blend of two that disagree is wider than either of them: 50 m. Fusing them, as two opinions that are both"
