@@ -72,7 +72,7 @@ def told_speed():
     ],
     inputs=lambda rng: (float(rng.choice([0.1, 0.39, 0.5, 0.68, 0.8, 0.86, 0.9, 0.95, 0.99, 0.999])),),
     wrong=WRONG["scale_for"],
-    then="For 95 % k is 2.45. With m numbers that are not tied k² is the chi-square quantile with m degrees of freedom: `scipy.stats.chi2.ppf(share, m)`.",
+    then="For 95 % k is 2.45. With m numbers, tied or not, k² is the chi-square quantile with m degrees of freedom: `scipy.stats.chi2.ppf(share, m)`.",
 )
 def scale_for(share):
     """How many standard deviations large an ellipse must be to hold a given share of a cloud of two numbers."""
