@@ -32,13 +32,13 @@ SLIDERS = {
     "cart": {"Q": ("03", "Q11", 4, 1), "R": ("03", "R", 1, 1)},
     "voltmeter": {"Q": ("05", "Q", 4, 1), "R": ("05", "R", 4, 1)},
     "bearing": {"Q": ("08", "Q", 200, 1), "R": ("08", "R", 500, 1)},
-    "free_fall": {"Q": ("09", "sigma", 1, 2)},
-    "ship": {"Q": ("10", "q", 1, 1), "R": ("10", "R", 100, 1)},
-    "bearings_only": {"R": ("13", "noise", 2.394, 2)},
-    "homing_missile": {"P": ("14", "sigma", 100, 2)},
-    "manoeuvring": {"R": ("16", "noise", 100, 2)},
-    "ball": {"Q": ("17", "q", 0.01, 1)},
-    "unknown_noise": {"Q": ("21", "sigma", 0.5, 2), "R": ("20", "R", 1, 1)},
+    "free_fall": {"Q": ("10", "sigma", 1, 2)},
+    "ship": {"Q": ("11", "q", 1, 1), "R": ("11", "R", 100, 1)},
+    "bearings_only": {"R": ("15", "noise", 2.394, 2)},
+    "homing_missile": {"P": ("16", "sigma", 100, 2)},
+    "manoeuvring": {"R": ("18", "noise", 100, 2)},
+    "ball": {"Q": ("19", "q", 0.01, 1)},
+    "unknown_noise": {"Q": ("23", "sigma", 0.5, 2), "R": ("22", "R", 1, 1)},
 }
 
 
@@ -91,7 +91,7 @@ def one(name, rng):
 
 def faulty_sensor(model, start, rng):
     """The bias of lesson 21, of another size and another duration."""
-    sd, keep = slid(rng, "19", "sd"), np.exp(-0.1 / slid(rng, "19", "tau"))
+    sd, keep = slid(rng, "21", "sd"), np.exp(-0.1 / slid(rng, "21", "tau"))
     F, Q, P = model.F.copy(), model.Q.copy(), start.cov.copy()
     F[2, 2], Q[2, 2], P[2, 2] = keep, sd**2 * (1 - keep**2), sd**2
     return model.replace(F=F, Q=Q), Gaussian(start.mean, P)
@@ -149,8 +149,8 @@ def case(name, settings, runs, rng):
 
 def knobs(name, rng):
     """The settings of the filters that have some: lessons 17, 18 and 22."""
-    drawn = dict(alpha=slid(rng, "15", "alpha"), kappa=slid(rng, "15", "kappa"), leave=slid(rng, "16", "leave"))
-    return drawn | dict(window=int(slid(rng, "20", "window")), floor=slid(rng, "20", "floor"))
+    drawn = dict(alpha=slid(rng, "17", "alpha"), kappa=slid(rng, "17", "kappa"), leave=slid(rng, "18", "leave"))
+    return drawn | dict(window=int(slid(rng, "22", "window")), floor=slid(rng, "22", "floor"))
 
 
 def unscented(case):

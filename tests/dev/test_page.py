@@ -157,7 +157,7 @@ def test_descriptions(pages):
     assert len(set(texts)) == len(texts)
     for text in texts:
         assert 10 < len(text) <= 160 and not re.search(r"[*$<>`\\]", text)
-    assert pages[FUSION].meta["description"].startswith("A cart should be at 60 m")
+    assert pages[FUSION].meta["description"].startswith("A calculation says that a cart should be at 60 m")
     for name in LESSONS:
         meta = pages[name].meta
         assert meta["og:title"] and meta["og:description"] == meta["description"] and meta["og:type"] == "article"

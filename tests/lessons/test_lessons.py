@@ -223,3 +223,14 @@ def test_each_lesson_leads_to_the_next():
         last, first = (re.findall(r"\]\((\d\d-[\w-]+\.ipynb)\)", load(p).cells[-1].source) for p in (path, following))
         assert following.name in last, f"{path.name} does not lead to {following.name}"
         assert path.name in first, f"{following.name} does not lead back to {path.name}"
+
+
+@per_lesson
+def test_every_exercise_has_its_text(path):
+    notebook = load(path)
+    prose = "\n".join(texts(notebook))
+    assert prose.count("\n## Exercises\n") + prose.startswith("## Exercises\n") == 1
+    numbers = re.findall(r"(?m)^\*\*(\d+)\. ", prose.partition("## Exercises\n")[2])
+    start = next(i for i, cell in enumerate(notebook.cells) if "## Exercises\n" in cell.source)
+    checks = sum(cell.source.count(".check(") for cell in notebook.cells[start:] if cell.cell_type == "code")
+    assert list(map(int, numbers)) == list(range(1, checks + 1))
