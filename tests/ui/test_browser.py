@@ -154,7 +154,7 @@ def the_last_word_is_the_programs(lab):
         lab.press(0, "ArrowRight")
         assert lab.ask(f"live.set(Q=2, R={k + 1}); live.set(Q=3)") == ""
         assert right(lab)[0][:2] == [3, k + 1]
-    lab.ask("live.set(R=1000); live.reset()")
+    lab.ask("live.set(R=50); live.reset()")
     assert right(lab)[0] == json.loads(lab.ask("print([c.start for c in live.controls.values()])"))
 
 
