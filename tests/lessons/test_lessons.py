@@ -93,8 +93,7 @@ def test_measure(path):
     total = sum(words(text) for text in prose)
     assert 1500 <= total <= 4000
     assert total / sum(lengths) >= 12
-    own = [minutes.TIME.sub("", text) for text in prose[:-1]]  # the last one holds the sources
-    assert max(map(words, own)) <= 200
+    assert max(map(words, prose)) <= 200
     kinds = "".join(cell.cell_type[0] for cell in notebook.cells)
     assert "ccc" not in kinds, "three code cells without prose"
 
