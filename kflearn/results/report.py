@@ -186,20 +186,21 @@ def _share_of_R(model, track):
 def _innovations(name, y, share, doubt, level):
     """Size, mean and neighbours of a column's innovations, in their own standard deviations.
 
-    `doubt` is the relative variance of an R estimated from so few readings at rest, `share` is that of R in S. The size
-    then has an F distribution, nearly; the gain is off, and so neighbours are correlated by share (1 − share)/(1 +
-    share) for each unit of ln R, as for a random walk.
+    `doubt` is the relative variance of an R estimated from so few readings at rest, `share` is that of R in S. Where R is
+    off, S is off by share + ¾ (1 − share) of that, for P⁻ of a constant velocity goes with R^¾; the size then has an F
+    distribution, nearly. And the gain is off, so that neighbours are correlated by share (1 − share)/(1 + share) for each
+    unit of ln R, as for a random walk.
     """
-    N, z = len(y), stats.norm.isf(level / 2)
+    N, z, moved = len(y), stats.norm.isf(level / 2), doubt * (share + 0.75 * (1 - share)) ** 2
     if N < FEWEST:
         low = high = 0.0
-    elif doubt * share**2 > 1e-6:
-        low, high = stats.f.ppf([level / 2, 1 - level / 2], N, max(5.0, 2 / (doubt * share**2)))
+    elif doubt:
+        low, high = stats.f.ppf([level / 2, 1 - level / 2], N, max(5.0, 2 / moved))
     else:
         low, high = stats.chi2.ppf([level / 2, 1 - level / 2], N) / N
     lever = share * (1 - share) / (1 + share)
     near = z * np.sqrt(1 / max(N, 1) + doubt * lever**2)
-    wide = z * np.sqrt(1 / max(N, 1)) * np.sqrt(1 + doubt * share**2)
+    wide = z * np.sqrt(1 / max(N, 1)) * np.sqrt(1 + moved)
     return [
         CardTest(f"size of innovations{name}", "size", _mean(y**2), low, high, N),
         CardTest(f"mean of innovations{name}", "mean", _mean(y), -wide, wide, N),
