@@ -78,7 +78,7 @@ def fall(steps, start=(40.0, 30.0, 5.0, 0.0), substeps=1000) -> np.ndarray:
     return np.array(path)
 
 
-def render(steps=60, empty=6, hidden=(19, 20, 21), rng=None) -> Film:
+def render(steps=60, empty=6, hidden=(19, 20, 21), rng=None, start=(40.0, 30.0, 5.0, 0.0)) -> Film:
     """Make a film of a ball: a textured background, and noise of standard deviation 2 in every byte.
 
     Parameters
@@ -91,6 +91,8 @@ def render(steps=60, empty=6, hidden=(19, 20, 21), rng=None) -> Film:
         In which frames, counted from 0, something that looks like the background stands before the ball.
     rng : numpy.random.Generator, int or None
         A generator or a seed.
+    start : four floats
+        Column, row (px) and their velocities (px/frame) of the ball in its first frame.
     """
     steps, empty = check.whole_number("steps", steps), check.whole_number("empty", empty)
     rng = check.generator("rng", rng)
@@ -99,7 +101,7 @@ def render(steps=60, empty=6, hidden=(19, 20, 21), rng=None) -> Film:
     scene = np.array([120, 130, 105]) + 14 * waves + 0.06 * (rows[..., None] - ROWS / 2)
     scene = (scene + 6 * rng.standard_normal((ROWS, COLUMNS, 1))).astype(np.float32)
     truth = np.full((steps, 4), np.nan)
-    truth[empty:] = fall(steps - empty) if steps > empty else 0
+    truth[empty:] = fall(steps - empty, start) if steps > empty else 0
     frames = np.empty((steps, ROWS, COLUMNS, 3), np.uint8)
     covered = np.isin(np.arange(steps), hidden)
     for k in range(steps):
@@ -108,6 +110,34 @@ def render(steps=60, empty=6, hidden=(19, 20, 21), rng=None) -> Film:
             _paint(picture, *truth[k, :2])
         frames[k] = np.clip(np.rint(picture), 0, 255)
     return Film(frames, truth, covered)
+
+
+def throw(steps=16, hidden=(13, 14, 15), rng=None) -> tuple[np.ndarray, np.ndarray]:
+    """Film another ball, thrown from a place and with a speed of its own, and find it in each frame.
+
+    Column 30 to 60 px, row 10 to 50 px, sideways 3 to 5.5 px/frame: so the frames 12 to 16 lie between the first bounce
+    and the second.
+
+    Parameters
+    ----------
+    steps : int
+        How many frames, from the ball's first on.
+    hidden : sequence of int
+        In which of them something stands before it.
+    rng : numpy.random.Generator, int or None
+        A generator or a seed.
+
+    Returns
+    -------
+    truth : ndarray (steps, 4)
+        Column, row and their velocities.
+    centre : ndarray (steps, 2)
+        Where it was detected, NaN where it was not.
+    """
+    rng = check.generator("rng", rng)
+    start = rng.uniform([30, 10, 3, 0], [60, 50, 5.5, 0])
+    film = render(6 + check.whole_number("steps", steps), 6, 6 + np.asarray(hidden), rng, start)
+    return film.truth[6:], detect(film.frames[6:], film.frames[:6].mean(axis=0)).centre
 
 
 def _paint(picture, column, row):

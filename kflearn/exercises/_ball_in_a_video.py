@@ -79,7 +79,7 @@ WRONG["true_radius"] = {
     ),
     "eight neighbours": (
         lambda d: disc_radius(neighbours(d, SQUARE)),
-        "You let pixels hang together across corners as well. Then stray pixels that touch the ball at a corner "
+        "You connected pixels across corners as well. Then stray pixels that touch the ball at a corner "
         "count with it: label as the lesson does, without a second argument.",
     ),
     "two diamonds": (

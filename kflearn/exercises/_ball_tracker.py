@@ -12,7 +12,7 @@ WRONG = {}
 WRONG["coast"] = {
     "as published": (
         lambda x, P, F, push, Q: (0 * x, P),
-        "That is the published fault again: a state of zeros, which nobody believes, and a P that says otherwise.",
+        "That is the published fault again: the state becomes zero, which is far from the ball, and P still claims a small error.",
     ),
     "zeros, P predicted": (
         lambda x, P, F, push, Q: (0 * x, F @ P @ F.T + Q),
@@ -30,6 +30,10 @@ WRONG["coast"] = {
         lambda x, P, F, push, Q: (F @ x + push, P + Q),
         "The state is right. P needs F as well: an uncertain velocity makes the place more uncertain in every frame.",
     ),
+    "Q carried on": (
+        lambda x, P, F, push, Q: (F @ x + push, F @ (P + Q) @ F.T),
+        "The state is right. You added Q before F: Q is what happens *in* this step, so it is added after P has been moved, F P Fᵀ + Q.",
+    ),
     "Q forgotten": (
         lambda x, P, F, push, Q: (F @ x + push, F @ P @ F.T),
         "The state is right. In P you forgot Q: F alone claims that nothing unforeseen can happen behind the wall.",
@@ -40,7 +44,7 @@ WRONG["coast"] = {
     ),
     "frozen": (
         lambda x, P, F, push, Q: (x, P),
-        "You hold the old belief. That is the last detection held: the ball moves on.",
+        "You kept the old state and the old P. But the ball moves on while it is hidden.",
     ),
     "frozen, P predicted": (
         lambda x, P, F, push, Q: (x, F @ P @ F.T + Q),
@@ -99,7 +103,7 @@ WRONG["first_velocity"] = {
     ),
     "position share": (
         lambda p, s, R, y: p / (p + s + R) * y,
-        "You have p on top. The corner of F P Fᵀ is s: only the doubt about the velocity can move the velocity.",
+        "You have p on top. The corner of F P Fᵀ is s: the velocity is corrected only as far as its own variance s allows.",
     ),
     "position gain": (
         lambda p, s, R, y: (p + s) / (p + s + R) * y,
@@ -107,11 +111,11 @@ WRONG["first_velocity"] = {
     ),
     "not predicted": (
         lambda p, s, R, y: s / (p + R) * y,
-        "S is too small: predicted with F, the place's variance is p + s, for the velocity's doubt has become a doubt about the place.",
+        "S is too small. After the prediction with F the variance of the place is p + s, because an uncertain velocity makes the place uncertain.",
     ),
     "no correlation": (
         lambda p, s, R, y: 0.0,
-        "Zero would be true if P were not predicted first: F ties place and velocity together, the corner becomes s.",
+        "Zero would be right if P were not predicted first. F makes place and velocity correlated: the covariance in the corner becomes s.",
     ),
     "R forgotten": (
         lambda p, s, R, y: s / (p + s) * y,
@@ -135,7 +139,7 @@ WRONG["first_velocity"] = {
     ),
     "own share": (
         lambda p, s, R, y: s / (s + R) * y,
-        "You left the place's own doubt p out of S; it is the larger part, and what protects the velocity.",
+        "You left p, the variance of the place, out of S. It is the larger part, and it keeps the velocity's gain small.",
     ),
     "place alone": (
         lambda p, s, R, y: p / (p + R) * y,
@@ -148,7 +152,7 @@ WRONG["first_velocity"] = {
     ),
     "R for s": (
         lambda p, s, R, y: R / (p + s + R) * y,
-        "You have R on top. The corner of F P Fᵀ stands there: the doubt about the velocity, s.",
+        "You have R on top. The corner of F P Fᵀ belongs there, which is s, the variance of the velocity.",
     ),
     "Q there": (
         lambda p, s, R, y: s / (p + s + R) * y / 2,

@@ -39,16 +39,16 @@ WRONG = {
         ),
         "quadrant 2 mended": (
             half_mended(2),
-            "Quadrant 2 is mended. Quadrant 4 has the same fault: there one comes back from a whole turn.",
+            "Quadrant 2 is mended. Quadrant 4 has the same fault: there the bearing is 360° minus the angle.",
         ),
         "quadrant 4 mended": (
             half_mended(4),
-            "Quadrant 4 is mended. Quadrant 2 has the same fault: there one comes back from half a turn.",
+            "Quadrant 4 is mended. Quadrant 2 has the same fault: there the bearing is 180° minus the angle.",
         ),
         "without abs": (
             without_abs,
-            "Without `abs` the arctangent is negative in quadrants 2 and 4, and you still add it to a quarter turn or to three. "
-            "Add it to half a turn in quadrant 2, to a whole turn in quadrant 4.",
+            "Without `abs` the arctangent is negative in quadrants 2 and 4, and you still add it to 90° or to 270°. "
+            "Add it to 180° in quadrant 2, to 360° in quadrant 4.",
         ),
         "from −π to π": (
             lambda east, north: math.atan2(north, east),
@@ -60,7 +60,7 @@ WRONG = {
         ),
         "arctangent from 0": (
             lambda east, north: math.atan(north / east) % TURN,
-            "The remainder cannot bring back the sign that the quotient has lost: quadrants 2 and 3 are still half a turn off.",
+            "The remainder cannot bring back the sign that the quotient has lost: quadrants 2 and 3 are still 180° off.",
         ),
         "arguments swapped": (
             lambda east, north: math.atan2(east, north),
@@ -84,31 +84,31 @@ WRONG = {
         ),
         "modulo half a turn": (
             lambda east, north: math.atan2(north, east) % math.pi,
-            "Half a turn is no turn: the station would take what is behind it for what is in front of it.",
+            "The remainder must be taken by a full circle, 2π. With half of it, opposite directions become equal.",
         ),
         "half a turn added": (
             lambda east, north: math.atan2(north, east) + math.pi,
-            "You added half a turn to every bearing: now each points the opposite way. Only negative angles need something added, and it is a whole turn.",
+            "You added 180° to every bearing, so each points the opposite way. Only negative angles need something added, and it is a full circle, 2π.",
         ),
         "% 360": (
             lambda east, north: math.atan2(north, east) % 360,
-            "`arctan2` answers in radians, so a whole turn is 2π, not 360.",
+            "`arctan2` answers in radians, so a full circle is 2π, not 360.",
         ),
         "absolute value": (
             lambda east, north: abs(math.atan2(north, east)),
-            "`abs` puts every target in the south to the north. A negative angle needs a whole turn added.",
+            "`abs` puts every target in the south to the north. A negative angle needs a full circle added, 2π.",
         ),
         "a turn added to all": (
             lambda east, north: math.atan2(north, east) + TURN,
-            "You added a whole turn to all of them: those in the north are now above 2π. The remainder, `% (2 * np.pi)`, adds it only where needed.",
+            "You added a full circle to all of them: those in the north are now above 2π. The remainder, `% (2 * np.pi)`, adds it only where needed.",
         ),
         "no turn in quadrant 4": (
             lambda east, north: math.atan(north / east) if east > 0 else math.atan(north / east) + math.pi,
-            "Right in three quadrants. South-east you answer with a negative angle: add a whole turn.",
+            "Right in three quadrants. In the south-east your answer is negative: add a full circle, 2π.",
         ),
         "arctangent plus half a turn": (
             lambda east, north: math.atan(north / east) + math.pi,
-            "The quotient has lost one sign, and half a turn for all cannot bring it back: look at the signs of both, as `arctan2` does.",
+            "The quotient has lost one sign, and adding 180° to all cannot bring it back: look at the signs of both, as `arctan2` does.",
         ),
         "no brackets": (
             lambda east, north: math.atan2(north, east) % 2 * math.pi,

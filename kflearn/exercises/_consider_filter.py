@@ -152,12 +152,11 @@ WRONG["late_row"] = {
     ),
     "cross-covariance dropped": (
         correct_with(without_cross),
-        "You dropped the covariance of the considered state with the others. It is all that a consider filter is about.",
+        "You dropped the covariance of the considered state with the others. A consider filter works through this covariance.",
     ),
     "always the third": (
         correct_always_third,
-        "You zeroed the row of one and the same state in all trials: which state is considered is told by "
-        "`considered`.",
+        "You set the row of the same state to zero in all trials. The argument `considered` says which state it is.",
     ),
     "P left": (
         correct_with(lambda K, full, P, H, R, c: P),
@@ -173,8 +172,8 @@ WRONG["late_row"] = {
     ),
     "column zeroed in P": (
         correct_with(lambda K, full, P, H, R, c: without_row((np.eye(len(P)) - full @ H) @ P, c)),
-        "You set row and column of P to zero. The considered state keeps its variance, and its covariances are "
-        "what the filter lives on.",
+        "You set row and column of P to zero. The considered state keeps its variance, and the filter needs "
+        "its covariances.",
     ),
 }
 
@@ -213,7 +212,7 @@ WRONG["economical"] = {
     ),
     "C transposed": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * C.T @ F.T, fading**2 * B + q),
-        "P and B are right. C is turned on its side: one row a state, one column a bias.",
+        "P and B are right. C is transposed: it has one row for each state and one column for each bias.",
     ),
     "what is lost": (
         moved(lambda C, F, fading: (1 - fading) * F @ C),

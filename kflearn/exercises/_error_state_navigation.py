@@ -14,14 +14,14 @@ def partly(which):
 
 
 PARTLY = (
-    "You fed back a part of the states. The sum of both books is the same, but here all of dx is fed back: return "
+    "You fed back a part of the states. The sum x + dx is the same, but here all of dx is fed back: return "
     "x + dx and zeros."
 )
 MORE = {
     "goes_back": {
         "the other ones": (
             [1, 1, 0, 1, 0],
-            "You marked those that may stay in either book. Asked are those that must go back: what stands in F.",
+            "You marked those that need not go back. The question asks for those that must go back: the states that stand in F.",
         ),
         "the bias alone": (
             [0, 0, 0, 1, 0],

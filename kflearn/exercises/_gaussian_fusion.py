@@ -12,56 +12,69 @@ def far_off():
 
 WRONG = {
     "third_opinion": {
+        "nothing done": (
+            61.6667,
+            "61.67 m is where the cart was believed to be before the satellite. In which direction does 66 m move it, and how far?",
+        ),
         "σ for σ²": (
-            lambda: 61.6667 + 0.8333 / (0.8333 + 2) * (63 - 61.6667),
+            lambda: 61.6667 + 0.8333 / (0.8333 + 2) * (66 - 61.6667),
             "You weighed with σ = 2 m. (12) takes variances: the satellite's is 2² = 4 m², and 0.8333 m² is one already.",
         ),
         "1 − K": (
-            lambda: 61.6667 + 4 / (0.8333 + 4) * (63 - 61.6667),
+            lambda: 61.6667 + 4 / (0.8333 + 4) * (66 - 61.6667),
             "You gave the satellite the prediction's weight: K has the prediction's variance on top, K = 0.8333 / (0.8333 + 4).",
         ),
         "halfway": (
-            lambda: (61.6667 + 63) / 2,
+            lambda: (61.6667 + 66) / 2,
             "That is the plain average. The satellite (variance 4) knows less than the fused cart (variance 0.83) and must count less.",
         ),
         "old prediction": (
-            lambda: 60 + 5 / 9 * 3,
-            "61.67 m is where the cart was believed to be before the satellite. (Who fuses the satellite with N(60, 5), without the tape, gets the same number by chance.) Which way does 63 m pull it, and how far?",
+            lambda: 60 + 5 / 9 * 6,
+            "You fused the satellite with the old prediction N(60, 5), so the tape is left out: begin with N(61.6667, 0.8333).",
         ),
         "satellite alone": (
-            63,
-            "63 m is the satellite alone. The 61.6667 m were worth more than it, as their variance is smaller.",
+            66,
+            "66 m is the satellite alone. The 61.6667 m count more than it, as their variance is smaller.",
         ),
         "wrong sign": (
-            lambda: 61.6667 - 0.8333 / (0.8333 + 4) * (63 - 61.6667),
-            "The size of the step is right, but you went away from the satellite: 63 lies above 61.6667.",
+            lambda: 61.6667 - 0.8333 / (0.8333 + 4) * (66 - 61.6667),
+            "The size of the step is right, but you went away from the satellite: 66 is above 61.6667.",
         ),
         "variance": (lambda: 0.8333 * 4 / (0.8333 + 4), "That is the fused variance, in m². The mean was asked for."),
-        "K": (lambda: 0.8333 / (0.8333 + 4), "That is the gain K. Go on: 61.6667 plus K times the way to 63."),
+        "K": (lambda: 0.8333 / (0.8333 + 4), "That is the gain K. Go on: 61.6667 plus K times the way to 66."),
         "tape and satellite": (
-            62.2,
-            "You fused the tape N(62, 1) with the satellite. The prediction has been forgotten: begin with N(61.6667, 0.8333).",
+            62.8,
+            "You fused the tape N(62, 1) with the satellite, so the prediction is left out: begin with N(61.6667, 0.8333).",
         ),
         "1 − K itself": (
             lambda: 4 / (0.8333 + 4),
-            "That is 1 − K. Form K, and then 61.6667 plus K times the way to 63.",
+            "That is 1 − K. Form K, and then 61.6667 plus K times the way to 66.",
         ),
-        "with the old prediction": (
-            61.5,
-            "61.5 m is halfway between 60 and 63 m. Begin with N(61.6667, 0.8333), which contains the tape, and weigh.",
-        ),
+        "tape": (62, "62 m is the tape's reading. Begin with N(61.6667, 0.8333), which contains it already."),
         "tape and satellite halfway": (
-            62.5,
-            "62.5 m is halfway between the tape and the satellite. Begin with N(61.6667, 0.8333), and weigh.",
+            64,
+            "64 m is halfway between the tape and the satellite. Begin with N(61.6667, 0.8333), and weigh.",
         ),
-        "the step": (lambda: 0.8333 / (0.8333 + 4) * (63 - 61.6667), "That is the step alone. Add it to 61.6667 m."),
+        "the step": (lambda: 0.8333 / (0.8333 + 4) * (66 - 61.6667), "That is the step alone. Add it to 61.6667 m."),
+        "prediction and satellite halfway": (
+            63,
+            "63 m is halfway between 60 and 66 m. Begin with N(61.6667, 0.8333), which contains the tape, and weigh.",
+        ),
         "prediction": (60, "60 m was the prediction before the tape was read. Begin with N(61.6667, 0.8333)."),
-        "mean and variance": (lambda: (61.8966, 0.6897), "Both are right. Give the mean alone: one number."),
+        "variances as precisions": (
+            lambda: 61.6667 + 0.8333**2 / (0.8333**2 + 4**2) * (66 - 61.6667),
+            "You squared the variances. 0.8333 m² and 4 m² are variances already.",
+        ),
+        "0.8333 taken as σ": (
+            lambda: 61.6667 + 0.8333**2 / (0.8333**2 + 4) * (66 - 61.6667),
+            "You squared 0.8333. In N(61.6667, 0.8333) the second number is a variance already; only the satellite's 2 m is a σ.",
+        ),
+        "mean and variance": (lambda: (62.4138, 0.6897), "Both are right. Give the mean alone: one number."),
     },
     "fuse": {
         "weights swapped": (
             lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
-            "Your variance is right, but the mean has 1 − K in place of K: the vaguer the prediction, the further you must walk.",
+            "Your variance is right, but the mean has 1 − K in place of K: the less certain the prediction, the further you must move.",
         ),
         "σ for σ²": (
             lambda mx, vx, mz, vz: (
@@ -84,7 +97,7 @@ WRONG = {
         ),
         "innovation backwards": (
             lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mx - mz), vx * vz / (vx + vz)),
-            "Your innovation has the wrong sign: measured minus expected, mean_z − mean_x, or you walk away from the tape.",
+            "Your innovation has the wrong sign: measured minus expected, mean_z − mean_x; otherwise the mean moves away from the tape.",
         ),
         "plain average": (
             lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),
@@ -96,7 +109,7 @@ WRONG = {
         ),
         "K swapped in both": (
             lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
-            "Your K has var_z on top: that is 1 − K. In (12) the prediction's variance stands on top, as a vague prediction must give way.",
+            "Your K has var_z on top: that is 1 − K. In (12) the prediction's variance is on top: a less certain prediction gets less weight, and K becomes larger.",
         ),
         "σ in K, everywhere": (
             lambda mx, vx, mz, vz: (
@@ -201,82 +214,5 @@ WRONG = {
         "5/0.09, rounded up": (56, "You divided the variances. With every reading *precisions* add: 1/5 + n."),
         "σ": (0.3, "0.3 m is the σ that is wanted. How many readings bring it about?"),
         "hundred": (100, "100 readings give σ = 0.1 m: far fewer are enough."),
-    },
-    "published_claim": {
-        "as published": (
-            lambda mx, vx, mz, vz: (mx, vz),
-            "That is still the published sentence: mean of the prediction, variance of the tape. The tape has not moved the mean at all.",
-        ),
-        "only the mean mended": (
-            lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), vz),
-            "The mean is mended. The second fault remains: σz² is what the tape's own error is worth, before the prediction helped it.",
-        ),
-        "only the variance mended": (
-            lambda mx, vx, mz, vz: (mx, vx * vz / (vx + vz)),
-            "The variance is mended. The first fault remains: μx is where the prediction was, before the tape was read.",
-        ),
-        "the tape alone": (
-            lambda mx, vx, mz, vz: (mz, vz),
-            "N(μz, σz²) is the tape alone: now the prediction is ignored.",
-        ),
-        "weights exchanged": (
-            lambda mx, vx, mz, vz: ((mx * vx + mz * vz) / (vx + vz), vx * vz / (vx + vz)),
-            "The variance is right. In the mean the weights are exchanged: each opinion is multiplied by the variance of the *other* one.",
-        ),
-        "variances added": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx + vz),
-            "The mean is right. You added the variances; when two opinions are fused it is the precisions that add.",
-        ),
-        "the prediction's variance": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx),
-            "The mean is right. Your variance is the prediction's, from before the tape was read.",
-        ),
-        "averages": (
-            lambda mx, vx, mz, vz: ((mx + mz) / 2, (vx + vz) / 2),
-            "You took plain averages of both. The article's formulas weigh: the less certain opinion counts less.",
-        ),
-        "plain mean": (
-            lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),
-            "The variance is right. The mean is the plain average: weigh each opinion by the variance of the other one.",
-        ),
-        "variances averaged": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), (vx + vz) / 2),
-            "The mean is right. The variance is no average of the two: it is smaller than each of them.",
-        ),
-        "1 − K": (
-            lambda mx, vx, mz, vz: (mx + vz / (vx + vz) * (mz - mx), vx * vx / (vx + vz)),
-            "Your K is 1 − K: in (12) the prediction's variance stands on top.",
-        ),
-        "precision": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), 1 / vx + 1 / vz),
-            "The mean is right. Your second number is a precision: 1 divided by it is the variance.",
-        ),
-        "the prediction": (
-            lambda mx, vx, mz, vz: (mx, vx),
-            "That is the prediction alone, as if the tape had not been read.",
-        ),
-        "the tape's mean": (
-            lambda mx, vx, mz, vz: (mz, vx * vz / (vx + vz)),
-            "The variance is right. The mean is the tape's alone: the prediction pulls it back a part of the way.",
-        ),
-        "not divided": (
-            lambda mx, vx, mz, vz: (mx * vz + mz * vx, vx * vz),
-            "Both lack a division by the sum of the variances.",
-        ),
-        "product": (
-            lambda mx, vx, mz, vz: ((mx * vz + mz * vx) / (vx + vz), vx * vz),
-            "The mean is right. The product of the variances is in m⁴: divide it by their sum.",
-        ),
-        "σ as weights": (
-            lambda mx, vx, mz, vz: (
-                (mx * math.sqrt(vz) + mz * math.sqrt(vx)) / (math.sqrt(vx) + math.sqrt(vz)),
-                vx * vz / (vx + vz),
-            ),
-            "The variance is right. In the mean you weighed with standard deviations; the formulas take variances.",
-        ),
-        "wrong sign": (
-            lambda mx, vx, mz, vz: (mx - vx / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
-            "The variance is right. The mean walks away from the tape: measured minus expected, mean_z − mean_x.",
-        ),
     },
 }

@@ -4,30 +4,25 @@ import itertools
 
 import numpy as np
 
-RIGHT_LINES = {
-    2: "Line 2 is right: Legendre's book on the orbits of comets came out in 1805.",
-    3: "Line 3 is right: Gauss printed in 1809. 1795 is his own claim, and the line says so.",
-    4: "Line 4 is right, surprising as it is: Thiele's paper is from 1880; Lauritzen made it known again in 1981.",
-    6: "Line 6 is right: a note in 1939, the full paper in 1941, before Wiener's report of 1942.",
-    7: "Line 7 is right: the paper came out in 1960. Kalman and Bucy followed in 1961.",
+DISTURBED = {
+    "B": "B was told a large Q: the newest night has nearly all the weight, because the clock may wander far in a night.",
+    "C": "C was told a small Q, but not 0: its weights become a little smaller with every night, as the clock may have wandered since.",
+}
+CALM = {
+    "A": "One of the others belongs to it as well: in which row do the weights fall by equal steps, as on a ruler?",
+    "D": "One of the others belongs to it as well: in which row does the age of a reading make no difference at all?",
 }
 
 
-WRONG_LINES = {
-    1: "One more line is wrong: in which century do 1722, 1749 and 1750 lie?",
-    5: "One more line is wrong: whose report was secret until 1949, and in which war was it written?",
-}
-
-
-def wrong_lines():
-    """Every choice of up to three lines but the right one, with what to say: first what is too much, then what is missing."""
-    for lines in (set(c) for size in (1, 2, 3) for c in itertools.combinations(range(1, 8), size)):
-        too_many = [text for line, text in RIGHT_LINES.items() if line in lines]
-        missing = [text for line, text in WRONG_LINES.items() if line not in lines]
+def wrong_letters():
+    """Every choice of up to three letters but the right one, with what to say: first what is too much, then what is missing."""
+    for letters in (set(c) for size in (1, 2, 3) for c in itertools.combinations("ABCD", size)):
+        too_many = [text for letter, text in DISTURBED.items() if letter in letters]
+        missing = [text for letter, text in CALM.items() if letter not in letters]
         if too_many:
-            yield lines, " ".join(too_many)
+            yield letters, " ".join(too_many)
         elif missing:
-            yield lines, f"Line {min(lines)} is wrong indeed. {missing[0]}"
+            yield letters, f"{min(letters)} is right. {missing[0]}"
 
 
 def with_last(w, last):
@@ -131,6 +126,10 @@ WRONG = {
         "divided by n": (
             lambda z, K: np.sum(powers(z, K) * z) / len(z),
             "You divided by the number of readings. The weights are in the sum already; divide by *their* sum.",
+        ),
+        "divided by 0.917": (
+            lambda z, K: np.sum(powers(z, K) * z) / 0.917,
+            "0.917 is the sum of the weights for ten readings and the lesson's K. Divide by the sum of *these* weights, which depends on K and on the number of readings.",
         ),
         "newest and oldest swapped": (
             lambda z, K: np.sum(powers(z, K)[::-1] * z) / np.sum(powers(z, K)),

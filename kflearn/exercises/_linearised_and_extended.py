@@ -11,18 +11,22 @@ def radar_slope(x, sign=-1, power=3, other=1):
     return np.array([[x[0] / r, 0, x[2] / r, 0], [bent[0], x[0] / r, bent[1], x[2] / r]])
 
 
-def grown(x, u):
-    """Where the growth model moves x."""
-    return x / 2 + 25 * x / (1 + x**2) + u
+def measured(x, step=1e-3):
+    """The Jacobian by the lesson's central difference."""
 
+    def radar(x):
+        r = np.hypot(x[0], x[2])
+        return np.array([r, (x[0] * x[1] + x[2] * x[3]) / r])
 
-def growth_slope(x):
-    """Its slope."""
-    return 0.5 + 25 * (1 - x**2) / (1 + x**2) ** 2
+    return np.stack([(radar(x + e) - radar(x - e)) / (2 * step) for e in step * np.eye(4)], axis=-1)
 
 
 WRONG = {
     "mended_slope": {
+        "measured": (
+            measured,
+            "That is the central difference. It is right to some eight digits, which is enough to find the slip. Now write the formula.",
+        ),
         "as claimed": (
             lambda x: radar_slope(x, sign=1),
             "That is the claimed Jacobian again. Take its difference from `jacobian(radar, x)`: one entry is not near zero.",
@@ -108,153 +112,6 @@ WRONG = {
         "the difference": (
             lambda x: radar_slope(x) - radar_slope(x, sign=1),
             "That is the difference of the two. It shows where the fault is; return the right Jacobian itself.",
-        ),
-    },
-    "mended_prediction": {
-        "as published": (
-            lambda x, P, u: (grown(x, u), growth_slope(grown(x, u)) ** 2 * P + 10),
-            "That is the published prediction again: its slope is taken where the belief lands, not where it stood.",
-        ),
-        "halfway": (
-            lambda x, P, u: (grown(x, u), growth_slope((x + grown(x, u)) / 2) ** 2 * P + 10),
-            "You took the slope halfway. The belief to be pushed through the curve stands at the old x, nowhere else.",
-        ),
-        "at the input": (
-            lambda x, P, u: (grown(x, u), growth_slope(x + u) ** 2 * P + 10),
-            "The input is added after the curve: it shifts the mean and changes no slope.",
-        ),
-        "slope at u": (
-            lambda x, P, u: (grown(x, u), growth_slope(u) ** 2 * P + 10),
-            "You took the slope at u, the input. It is taken at x, where the belief stood before it moved.",
-        ),
-        "slope with 2.5": (
-            lambda x, P, u: (grown(x, u), (0.5 + 2.5 * (1 - x**2) / (1 + x**2) ** 2) ** 2 * P + 10),
-            "The mean is right. In the slope the coefficient is 25, as in the model, not 2.5.",
-        ),
-        "2.5 in both": (
-            lambda x, P, u: (
-                x / 2 + 2.5 * x / (1 + x**2) + u,
-                (0.5 + 2.5 * (1 - x**2) / (1 + x**2) ** 2) ** 2 * P + 10,
-            ),
-            "The coefficient of the growth model is 25, in the curve and in its slope; you took 2.5.",
-        ),
-        "mean alone": (
-            lambda x, P, u: grown(x, u),
-            "The mean is right. Return its variance as well: F P F + 10.",
-        ),
-        "Q forgotten": (
-            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P),
-            "The slope is right now. But P also grows by Q = 10, the variance of what disturbs a step.",
-        ),
-        "Q stretched too": (
-            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * (P + 10)),
-            "The disturbance comes after the move, so the curve does not stretch it: F·P·F first, then + 10.",
-        ),
-        "F once": (
-            lambda x, P, u: (grown(x, u), growth_slope(x) * P + 10),
-            "P is a variance: stretching by F multiplies it by F twice. With F below zero yours may even be negative.",
-        ),
-        "deviation for variance": (
-            lambda x, P, u: (grown(x, u), np.sqrt(growth_slope(x) ** 2 * P + 10)),
-            "You took a root: P is a variance and stays one.",
-        ),
-        "tangent for the mean": (
-            lambda x, P, u: (growth_slope(x) * x + u, growth_slope(x) ** 2 * P + 10),
-            "P is right. But the mean travels along the curve itself, `move(x, u)`; the slope is for the width only.",
-        ),
-        "u forgotten": (
-            lambda x, P, u: (grown(x, 0), growth_slope(x) ** 2 * P + 10),
-            "P is right. The mean lacks the known input u.",
-        ),
-        "not moved": (
-            lambda x, P, u: (x, growth_slope(x) ** 2 * P + 10),
-            "P is right, but the mean has stayed where it was: it moves to `move(x, u)`.",
-        ),
-        "swapped": (
-            lambda x, P, u: (growth_slope(x) ** 2 * P + 10, grown(x, u)),
-            "Both are right, in the wrong order: first the mean, then its variance.",
-        ),
-        "root of Q": (
-            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P + np.sqrt(10)),
-            "You added the root of 10. Q = 10 is the variance of the disturbance already.",
-        ),
-        "input taken off": (
-            lambda x, P, u: (grown(x, u), growth_slope(x - u) ** 2 * P + 10),
-            "You shifted the place of the slope by u. The belief to be moved stands at the old x, whatever the input is.",
-        ),
-        "P squared": (
-            lambda x, P, u: (grown(x, u), (growth_slope(x) * P) ** 2 + 10),
-            "You squared P as well: only F stands twice, P once in the middle.",
-        ),
-        "not stretched": (
-            lambda x, P, u: (grown(x, u), P + 10),
-            "The mean is right. P must be stretched by the curve: F on both sides, then + 10.",
-        ),
-        "Q = 1": (
-            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P + 1),
-            "The slope is right now. The reading's variance is 1, but the disturbance of the move has Q = 10.",
-        ),
-        "one slope at each place": (
-            lambda x, P, u: (grown(x, u), growth_slope(x) * P * growth_slope(grown(x, u)) + 10),
-            "One of the two slopes is still taken where the belief lands. Both belong to the old x.",
-        ),
-        "|F| once": (
-            lambda x, P, u: (grown(x, u), abs(growth_slope(x)) * P + 10),
-            "P is a variance: stretching by F multiplies it by F twice, which is never negative, without abs.",
-        ),
-    },
-    "true_starts": {
-        "as published": (
-            lambda mean, P0, normal: mean + 0 * normal,
-            "That is the published study again: every truth starts where the filter believes, exactly, while P0 claims otherwise.",
-        ),
-        "variance for its root": (
-            lambda mean, P0, normal: mean + normal @ P0,
-            "You stretched by the variances. The starts would scatter with covariance P0², not P0: take the roots.",
-        ),
-        "not stretched": (
-            lambda mean, P0, normal: mean + normal,
-            "That scatters with variance 1 in every state: honest for P0 = I, and for nothing else.",
-        ),
-        "about zero": (
-            lambda mean, P0, normal: normal * np.sqrt(np.diag(P0)),
-            "The scatter is right, but it lies about zero: add the mean.",
-        ),
-        "one draw for all states": (
-            lambda mean, P0, normal: mean + normal[:, :1] * np.sqrt(np.diag(P0)),
-            "One draw serves all four states of a run, so they are always wrong together. P0 is diagonal: each has its own.",
-        ),
-        "one draw for all runs": (
-            lambda mean, P0, normal: mean + 0 * normal + normal[0] * np.sqrt(np.diag(P0)),
-            "Every run starts at the same wrong place. The belief speaks of many starts: each run has its own row.",
-        ),
-        "other side": (
-            lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0)),
-            "As a draw that is just as good, for a bell is symmetric; but please add, so that the numbers can be compared.",
-        ),
-        "divided": (
-            lambda mean, P0, normal: mean + normal / np.sqrt(np.diag(P0)),
-            "You divided by the deviations: the vaguest state would scatter least.",
-        ),
-        "transposed": (
-            lambda mean, P0, normal: (mean + normal * np.sqrt(np.diag(P0))).T,
-            "The numbers are right, but turned on their side: one row a run, one column a state.",
-        ),
-        "the same wrong place": (
-            lambda mean, P0, normal: mean + normal[0] * np.sqrt(np.diag(P0)),
-            "You use the first row of `normal` only. Each run has a row of its own: multiply the whole array.",
-        ),
-        "σ added": (
-            lambda mean, P0, normal: mean + np.sqrt(np.diag(P0)),
-            "Every run would start one σ away, always on the same side, and `normal` is not used. Multiply each σ by its random number.",
-        ),
-        "variance squared": (
-            lambda mean, P0, normal: mean + normal * np.diag(P0) ** 2,
-            "You squared the variances. A standard deviation is the root of a variance.",
-        ),
-        "mean multiplied": (
-            lambda mean, P0, normal: mean * normal * np.sqrt(np.diag(P0)),
-            "You multiplied the mean as well. Stretch the random numbers, then add the mean.",
         ),
     },
 }

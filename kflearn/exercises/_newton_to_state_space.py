@@ -13,6 +13,27 @@ def column(upper, lower):
     return np.array([[upper], [lower]])
 
 
+def push(dt, mass):
+    """B of a cart."""
+    return column(dt**2 / 2, dt) / mass
+
+
+def dragged(dt, less_far, slower):
+    """F of a cart that goes less far, and is slower, by so much of its velocity."""
+    return np.array([[1.0, dt - less_far], [0.0, 1.0 - slower]])
+
+
+def held_drag(dt, mass, c):
+    """The right F of a cart with drag."""
+    return dragged(dt, c * dt**2 / (2 * mass), c * dt / mass)
+
+
+def decaying(dt, mass, c):
+    """F for a drag that follows the velocity at every instant."""
+    left = np.exp(-c * dt / mass)
+    return np.array([[1.0, mass / c * (1 - left)], [0.0, left]])
+
+
 def push_covariance(upper, lower, sigma):
     """σ² G Gᵀ with G = [upper, lower]."""
     G = column(upper, lower)
@@ -21,113 +42,135 @@ def push_covariance(upper, lower, sigma):
 
 WRONG = {
     "motion": {
+        "no drag": (
+            lambda dt, mass, c: (moving(dt), push(dt, mass)),
+            "B is right. Your F is that of the cart without drag. The force −c·v depends on the velocity, so it belongs to F.",
+        ),
+        "drag in the velocity only": (
+            lambda dt, mass, c: (dragged(dt, 0.0, c * dt / mass), push(dt, mass)),
+            "B is right, and so is the second row of F. In the first row the drag is missing: it acts during the whole step, like u in (1).",
+        ),
+        "drag in the position only": (
+            lambda dt, mass, c: (dragged(dt, c * dt**2 / (2 * mass), 0.0), push(dt, mass)),
+            "B is right, and so is the first row of F. In the second row the drag is missing: it makes the cart slower, as in (2).",
+        ),
+        "one half forgotten": (
+            lambda dt, mass, c: (dragged(dt, c * dt**2 / mass, c * dt / mass), push(dt, mass)),
+            "B is right, and so is the second row of F. In the first row the ½ of (1) is missing before the drag.",
+        ),
+        "one half below too": (
+            lambda dt, mass, c: (dragged(dt, c * dt**2 / (2 * mass), c * dt / (2 * mass)), push(dt, mass)),
+            "B is right, and so is the first row of F. In the second row there is no ½: the velocity gets all of the force's F/m·dt.",
+        ),
+        "plus": (
+            lambda dt, mass, c: (dragged(dt, -c * dt**2 / (2 * mass), -c * dt / mass), push(dt, mass)),
+            "B is right. Your drag pushes the cart forwards: the force is −c·v, with a minus.",
+        ),
+        "mass forgotten in the drag": (
+            lambda dt, mass, c: (dragged(dt, c * dt**2 / 2, c * dt), push(dt, mass)),
+            "B is right. In F the drag is not divided by the mass yet: c·v is a force, and a force changes the velocity by F/m.",
+        ),
+        "dt forgotten in the drag": (
+            lambda dt, mass, c: (dragged(dt, c * dt / (2 * mass), c / mass), push(dt, mass)),
+            "B is right. In F the drag lacks a factor dt in both rows: it acts for dt seconds.",
+        ),
+        "a spring": (
+            lambda dt, mass, c: (np.array([[1 - c * dt**2 / (2 * mass), dt], [-c * dt / mass, 1.0]]), push(dt, mass)),
+            "B is right. You tied the force to the position: that is a spring. A drag depends on the velocity, so it belongs to the second column of F.",
+        ),
+        "minus c alone": (
+            lambda dt, mass, c: (np.array([[1, dt - c * dt**2 / (2 * mass)], [0, -c * dt / mass]]), push(dt, mass)),
+            "B is right, and so is the first row of F. The second row has lost the old velocity: v stays, less c·dt/m of it.",
+        ),
+        "first row without dt": (
+            lambda dt, mass, c: (
+                np.array([[1, -c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]]),
+                push(dt, mass),
+            ),
+            "B is right, and so is the second row of F. The first row has lost v·dt, the distance without any force.",
+        ),
+        "exact": (
+            lambda dt, mass, c: (decaying(dt, mass, c), push(dt, mass)),
+            "That F is exact for a drag which follows the velocity at every instant. Here the drag is held during the step, so F has no exponential.",
+        ),
+        "exact velocity": (
+            lambda dt, mass, c: (
+                np.array([[1, dt - c * dt**2 / (2 * mass)], [0, np.exp(-c * dt / mass)]]),
+                push(dt, mass),
+            ),
+            "B is right, and so is the first row of F. The drag is held during the step: the velocity falls by c·dt/m of itself, without an exponential.",
+        ),
+        "drag in B": (
+            lambda dt, mass, c: (moving(dt), (1 - c) * push(dt, mass)),
+            "The drag is no part of the input: it depends on v, and v is part of the state. It belongs to F.",
+        ),
+        "B braked": (
+            lambda dt, mass, c: (held_drag(dt, mass, c), (1 - c * dt / mass) * push(dt, mass)),
+            "F is right. B has the factors of u alone, and in u − c·v the force u stands undiminished: B is that of the lesson.",
+        ),
         "no push on the position": (
-            lambda dt, mass: (moving(dt), column(0.0, dt / mass)),
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(0.0, dt / mass)),
             "F is right. Your force acts on the velocity only; during the step the new velocity already moves the cart: dt²/2m on top.",
         ),
         "[dt/2, 1]": (
-            lambda dt, mass: (moving(dt), column(dt / 2, 1.0) / mass),
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt / 2, 1.0) / mass),
             "F is right. Your B lacks a factor dt in both entries: it is right at dt = 1 only.",
         ),
-        "one half forgotten": (
-            lambda dt, mass: (moving(dt), column(dt**2, dt) / mass),
+        "one half forgotten in B": (
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt**2, dt) / mass),
             "F is right. The mean velocity of the step lies halfway: the first entry of B is dt²/2m.",
         ),
         "dt/2 above": (
-            lambda dt, mass: (moving(dt), column(dt / 2, dt) / mass),
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt / 2, dt) / mass),
             "F is right. The first entry of B must turn newtons into metres, dt²/2m: yours lacks a factor dt.",
         ),
-        "one half below too": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt / 2) / mass),
-            "F is right. The ½ belongs to the position only: the velocity gets all of F/m·dt.",
-        ),
         "mass forgotten": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt)),
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt**2 / 2, dt)),
             "F is right. Your B takes an acceleration; the input is a force, so divide by the mass.",
         ),
-        "times the mass": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt) * mass),
-            "F is right. You multiplied by the mass: a heavier cart would be pushed further. a = F/m.",
+        "mass forgotten in both": (
+            lambda dt, mass, c: (dragged(dt, c * dt**2 / 2, c * dt), column(dt**2 / 2, dt)),
+            "The mass is missing, in F and in B: u and c·v are forces, and a force changes the velocity by F/m.",
         ),
         "mass under one entry": (
-            lambda dt, mass: (moving(dt), column(dt**2 / (2 * mass), dt)),
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt**2 / (2 * mass), dt)),
             "F is right, and so is the first entry of B. The second turns newtons into m/s: divide by the mass there too.",
         ),
+        "mass under the second": (
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt**2 / 2, dt / mass)),
+            "F is right, and so is the second entry of B. The first turns newtons into metres: divide by the mass there too.",
+        ),
         "B upside down": (
-            lambda dt, mass: (moving(dt), column(dt, dt**2 / 2) / mass),
+            lambda dt, mass, c: (held_drag(dt, mass, c), column(dt, dt**2 / 2) / mass),
             "F is right. The entries of B have changed places: the state is [position, velocity], in this order.",
         ),
-        "minus": (
-            lambda dt, mass: (moving(dt), -column(dt**2 / 2, dt) / mass),
-            "F is right. A force forwards pushes the cart forwards: B has no minus.",
-        ),
         "F transposed": (
-            lambda dt, mass: (moving(dt).T, column(dt**2 / 2, dt) / mass),
-            "B is right. Your F is transposed: its first row makes the new position, so dt stands at the upper right.",
-        ),
-        "1 for dt": (
-            lambda dt, mass: (moving(1.0), column(dt**2 / 2, dt) / mass),
-            "B is right. In F you wrote 1 where dt belongs: the distance is velocity times time.",
-        ),
-        "identity": (
-            lambda dt, mass: (np.eye(2), column(dt**2 / 2, dt) / mass),
-            "B is right. With your F a cart that nobody pushes stands still: the velocity must move the position by v·dt.",
-        ),
-        "velocity lost": (
-            lambda dt, mass: (np.array([[1.0, dt], [0.0, 0.0]]), column(dt**2 / 2, dt) / mass),
-            "B is right. Your F forgets the velocity: without a force it stays as it was, so the lower right entry is 1.",
-        ),
-        "backwards": (
-            lambda dt, mass: (moving(-dt), column(dt**2 / 2, dt) / mass),
-            "B is right. Your F lets time run backwards: v·dt is added.",
+            lambda dt, mass, c: (held_drag(dt, mass, c).T, push(dt, mass)),
+            "B is right. Your F is transposed: its first row makes the new position, so the factor of v stands at the upper right.",
         ),
         "everything at dt = 1": (
-            lambda dt, mass: (moving(1.0), column(0.5, 1.0) / mass),
+            lambda dt, mass, c: (held_drag(1.0, mass, c), push(1.0, mass)),
             "You took dt = 1 for granted. Your function gets dt as an argument: use it, in F and in B.",
         ),
-        "F without dt, no push on the position": (
-            lambda dt, mass: (np.eye(2), column(0.0, dt / mass)),
-            "Nothing ever moves your position: (1) adds v·dt to it, and the push adds dt²/2m.",
-        ),
         "a flat B": (
-            lambda dt, mass: (moving(dt), np.array([dt**2 / 2, dt]) / mass),
+            lambda dt, mass, c: (held_drag(dt, mass, c), push(dt, mass).ravel()),
             "The numbers are right. But your B is flat, of shape (2,): a row for each state, a column for each input, shape (2, 1).",
         ),
         "B in a row": (
-            lambda dt, mass: (moving(dt), np.array([[dt**2 / 2, dt]]) / mass),
+            lambda dt, mass, c: (held_drag(dt, mass, c), push(dt, mass).T),
             "The numbers are right. But your B is a row: a row for each state, a column for each input, shape (2, 1).",
         ),
-        "mass in F": (
-            lambda dt, mass: (np.array([[1.0, dt], [0.0, 1 / mass]]), column(dt**2 / 2, dt) / mass),
-            "B is right. No mass belongs in F: without a force the cart keeps its velocity, however heavy it is.",
-        ),
         "the order of the pair": (
-            lambda dt, mass: (column(dt**2 / 2, dt) / mass, moving(dt)),
+            lambda dt, mass, c: (push(dt, mass), held_drag(dt, mass, c)),
             "Both are right, in the wrong order: return F first, then B.",
         ),
-        "acceleration in F": (
-            lambda dt, mass: (np.array([[1, dt**2 / 2], [0, 1.0]]), column(dt**2 / 2, dt) / mass),
-            "B is right. In F you wrote dt²/2, which belongs to an acceleration: the velocity moves the position by v·dt.",
+        "F alone": (
+            lambda dt, mass, c: held_drag(dt, mass, c),
+            "Your F is right. B is wanted as well: return both, F first.",
         ),
-        "B without dt": (
-            lambda dt, mass: (moving(dt), column(0.0, 1 / mass)),
-            "F is right. A force acts for the whole step: the velocity gains F/m·dt, and the position dt²/2m.",
-        ),
-        "B a factor dt short": (
-            lambda dt, mass: (moving(dt), column(dt, 1.0) / mass),
-            "F is right. Write units beside B: its entries turn newtons into metres and metres per second, dt²/2m and dt/m.",
-        ),
-        "three states": (
-            lambda dt, mass: (np.array([[1, dt, dt**2 / 2], [0, 1, dt], [0, 0, 1]]), column(dt**2 / 2, dt) / mass),
-            "B is right. The acceleration is no part of the state here, it is the input: F is (2, 2).",
-        ),
-        "mass under the second": (
-            lambda dt, mass: (moving(dt), column(dt**2 / 2, dt / mass)),
-            "F is right, and so is the second entry of B. The first turns newtons into metres: divide by the mass there too.",
-        ),
-        "F turned": (
-            lambda dt, mass: (moving(dt).T, column(dt**2 / 2, dt)),
-            "F is transposed (dt stands at the upper right), and B is not divided by the mass yet.",
+        "no drag, no mass": (
+            lambda dt, mass, c: (moving(dt), column(dt**2 / 2, dt)),
+            "Two things: the drag is missing in F, and B is not divided by the mass.",
         ),
     },
     "held_push": {

@@ -10,31 +10,31 @@ WRONG = {
         ),
         "only line four": (
             lambda x, P, z, F, H, Q, R: step(F @ x, P @ F @ P, z, H, R),
-            "The stray F is gone. Line two remains: P F P should be F P Fᵀ + Q.",
+            "The second F is gone. Line two remains: P F P should be F P Fᵀ + Q.",
         ),
         "only line two": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T + Q, z, H, R, begin=F @ F @ x),
-            "Line two is mended. Line four still moves the state a second time: begin the walk at x_pred, not at F @ x_pred.",
+            "Line two is mended. Line four still moves the state a second time: begin at x_pred, not at F @ x_pred.",
         ),
         "Q still missing": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T, z, H, R),
-            "The sandwich F P Fᵀ is right and the stray F is gone; but the jolts are missing: add Q.",
+            "F P Fᵀ is right and the second F is gone. But the bumps are missing: add Q.",
         ),
         "Q missing, stray F": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T, z, H, R, begin=F @ F @ x),
-            "The sandwich F P Fᵀ is right. Q is still missing behind it, and line four still has a second F.",
+            "F P Fᵀ is right. Q is still missing after it, and line four still has a second F.",
         ),
         "P F P + Q": (
             lambda x, P, z, F, H, Q, R: step(F @ x, P @ F @ P + Q, z, H, R),
-            "The stray F is gone and Q is there. But P F P has the filling outside: F P Fᵀ.",
+            "The second F is gone and Q is there. But in P F P the order is wrong: F P Fᵀ.",
         ),
         "F P F": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F + Q, z, H, R),
-            "The stray F is gone. In line two the right-hand F must be transposed: F P Fᵀ + Q.",
+            "The second F is gone. In line two the right-hand F must be transposed: F P Fᵀ + Q.",
         ),
         "Fᵀ P F": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F.T @ P @ F + Q, z, H, R),
-            "The stray F is gone. In line two the transpose is on the wrong side: F P Fᵀ + Q.",
+            "The second F is gone. In line two the transpose is on the wrong side: F P Fᵀ + Q.",
         ),
         "F in the innovation": (
             lambda x, P, z, F, H, Q, R: step(F @ F @ x, F @ P @ F.T + Q, z, H, R),
@@ -71,7 +71,7 @@ WRONG = {
         ),
         "the walk begins at x": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T + Q, z, H, R, begin=x),
-            "Line two is mended. The walk of line four begins at x_pred, not at the old x.",
+            "Line two is mended. Line four begins at x_pred, not at the old x.",
         ),
         "P_pred returned": (
             lambda x, P, z, F, H, Q, R: (step(F @ x, F @ P @ F.T + Q, z, H, R)[0], F @ P @ F.T + Q),
@@ -79,7 +79,7 @@ WRONG = {
         ),
         "F(P + Q)Fᵀ": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ (P + Q) @ F.T, z, H, R),
-            "The stray F is gone. Q belongs to this step: first F P Fᵀ, then add Q.",
+            "The second F is gone. Q belongs to this step: first F P Fᵀ, then add Q.",
         ),
         "prediction only": (
             lambda x, P, z, F, H, Q, R: (F @ x, F @ P @ F.T + Q),
@@ -87,19 +87,19 @@ WRONG = {
         ),
         "F P": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P + Q, z, H, R),
-            "The stray F is gone. In line two the Fᵀ on the right is missing.",
+            "The second F is gone. In line two the Fᵀ on the right is missing.",
         ),
         "minus Q": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T - Q, z, H, R),
-            "The stray F is gone. In line two Q is added, not taken away: jolts make the prediction less certain.",
+            "The second F is gone. In line two Q is added, not subtracted: bumps make the prediction less certain.",
         ),
         "P + Q": (
             lambda x, P, z, F, H, Q, R: step(F @ x, P + Q, z, H, R),
-            "The stray F is gone. In line two P has to be moved: F P Fᵀ, then Q.",
+            "The second F is gone. In line two P has to be moved: F P Fᵀ, then Q.",
         ),
         "R in line two": (
             lambda x, P, z, F, H, Q, R: step(F @ x, F @ P @ F.T, z, H, R, begin=x),
-            "Q is missing in line two, and the walk of line four begins at x_pred.",
+            "Q is missing in line two, and line four begins at x_pred.",
         ),
     },
 }

@@ -33,10 +33,6 @@ FUSE = {
         lambda mx, vx, mz, vz: (weighed(mx, vx, mz, vz), min(vx, vz)),
         "The mean is right. You took the smaller of the variances; the fused one is smaller than both.",
     ),
-    "the tape's times 1 − K": (
-        lambda mx, vx, mz, vz: (weighed(mx, vx, mz, vz), vz * vz / (vx + vz)),
-        "The mean is right. It is the prediction's variance that is multiplied by 1 − K, not the tape's.",
-    ),
 }
 
 WRONG = {
@@ -98,10 +94,7 @@ WRONG = {
             "Your x is right. P is wanted as well: return both, x first.",
         ),
     },
-    "fuse": {
-        key: FUSE[key] for key in ("variance of a plain average", "that variance, mean right", "the smaller variance")
-    },
-    "published_claim": FUSE,
+    "fuse": FUSE,
     "auto_start": {
         "Hᵀ for H⁻ᵀ": (
             lambda z, H, R: (np.linalg.solve(H, z), np.linalg.solve(H, R) @ H.T),

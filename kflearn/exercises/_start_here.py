@@ -7,38 +7,44 @@ import numpy as np
 
 def sigma_of(counts):
     """What σ so many readings bring."""
-    words = "{} readings bring σ down to {:.3g} m. Solve 1/√n = 0.1 for n."
-    return {str(n): (n, words.format(f"{n:,}", 1 / math.sqrt(n))) for n in counts}
+    words = "{} readings bring σ down to {:.3g} m. Solve 2/√n = 0.25 for n."
+    return {str(n): (n, words.format(f"{n:,}", 2 / math.sqrt(n))) for n in counts}
 
 
 WRONG = {
     "readings_needed": {
-        "σ/n": (10, "Ten readings give 1/√10 = 0.32 m: the standard deviation falls with √n, not with n."),
-        "a zero too many": (
-            1000,
-            "1,000 readings give 1/√1000 = 0.03 m: more than was asked for. Solve 1/√n = 0.1 for n.",
+        "σ/n": (8, "Eight readings give 2/√8 = 0.71 m: the standard deviation falls with √n, not with n."),
+        "σ = 1 m": (
+            16,
+            "Sixteen readings give 2/√16 = 0.5 m. They would do if each had σ = 1 m; here each has σ = 2 m.",
         ),
         "±2σ": (
-            400,
-            "400 readings bring 2σ down to 0.1 m. That is a useful promise, but σ itself was asked for.",
+            256,
+            "256 readings bring 2σ down to 0.25 m. That is a useful promise, but σ itself was asked for.",
         ),
-        "root of ten": (
-            lambda: math.sqrt(10),
-            "You took a root where a square is needed: from √n = 10 follows n = 10², not n = √10.",
+        "root of eight": (
+            lambda: math.sqrt(8),
+            "You took a root where a square is needed: from √n = 8 follows n = 8², not n = √8.",
         ),
         "the variance": (
-            lambda: 0.1**2,
-            "0.01 m² is the variance the mean must have. How many readings bring 1 m² down to it?",
+            lambda: 0.25**2,
+            "0.0625 m² is the variance the mean must have. How many readings bring 4 m² down to it?",
         ),
-        "2σ/n": (
-            20,
-            "Twenty readings give 1/√20 = 0.22 m. Halving σ takes four times the readings, not twice.",
+        "σ for its square": (
+            32,
+            "32 is 2/0.25²: one of the two numbers is squared, the other is not. Divide variance by variance, or σ by σ and then square.",
         ),
-        "one too many": (101, "101 is more than needed: 0.1 m itself is allowed."),
-        "one too few": (99, "With 99 readings σ is 0.1005 m: just not there yet."),
-        "1/σ": (0.1, "0.1 m is the σ that is wanted. How many readings bring it about?"),
-        **sigma_of((2, 3, 5, 11, 16, 25, 30, 40, 50, 64, 81, 90, 200, 250, 500, 10_000)),
-        "one": (1, "One reading has σ = 1 m. The mean of n readings has 1/√n m."),
+        "squared twice": (4096, "4,096 readings give 2/√4096 = 0.03 m: more than was asked for. You squared twice."),
+        "one too many": (65, "65 is more than needed: 0.25 m itself is allowed."),
+        "one too few": (63, "With 63 readings σ is 0.252 m: just not there yet."),
+        "what is wanted": (0.25, "0.25 m is the σ that is wanted. How many readings bring it about?"),
+        "ratio upside down": (
+            0.125,
+            "You divided the wrong way round. 2/0.25 = 8 says how many times smaller σ must become.",
+        ),
+        "1/0.25": (4, "Four readings halve σ, from 2 m to 1 m. It must become eight times smaller."),
+        **sigma_of((2, 3, 5, 10, 12, 20, 25, 36, 40, 48, 49, 50, 60, 80, 81, 100, 128, 200, 400, 512, 640, 1000)),
+        "one": (1, "One reading has σ = 2 m. The mean of n readings has 2/√n m."),
     },
     "update_mean": {
         "n + 1": (

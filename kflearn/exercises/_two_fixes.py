@@ -15,7 +15,7 @@ WRONG = {
         ),
         "the corner forgotten": (
             lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, 0], [0, 2 * R / dt**2]]),
-            "Both variances are right, the corner is not: z₁ sits in the position and in the speed, so their errors belong together.",
+            "Both variances are right, the corner is not: the error of z₁ is in the position and in the speed, so the two err together.",
         ),
         "sign of the corner": (
             lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, -R / dt], [-R / dt, 2 * R / dt**2]]),

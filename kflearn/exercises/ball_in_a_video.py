@@ -27,7 +27,7 @@ def a_picture(rng):
     hints=[
         "Two questions, two pictures: *which* region is the ball is answered after the erosions, *how large* it is before them.",
         "Find the eroded ball as in the lesson. Then label `differs` itself: the eroded ball's pixels all carry one label there.",
-        "`ndimage.binary_propagation(ball, mask=differs)` grows a region until it fills what it hangs together with in the mask.",
+        "`ndimage.binary_propagation(ball, mask=differs)` grows a region until it fills everything that is connected with it in the mask.",
         "`whole, _ = ndimage.label(differs)`, then count `whole == whole[ball][0]`, where `ball` is the eroded ball.",
     ],
     inputs=a_picture,
@@ -38,7 +38,7 @@ def a_picture(rng):
     ),
 )
 def true_radius(differs):
-    """The radius of the ball from all pixels that hang together with it in `differs`, True where a pixel differs."""
+    """The radius of the ball from all pixels that are connected with it in `differs`, True where a pixel differs."""
     eroded = ndimage.binary_erosion(differs, np.ones((3, 3)), iterations=2)
     labels, _ = ndimage.label(eroded)
     ball = labels == 1 + np.bincount(labels.ravel())[1:].argmax()
@@ -83,7 +83,7 @@ def a_start(rng):
 @exercise(
     hints=[
         "One step by hand: P = diag(p, s), predict it with F, then the second number of the gain.",
-        "F P Fᵀ = [[p + s, s], [s, s]]: an uncertain velocity makes the place uncertain, and ties the two together.",
+        "F P Fᵀ = [[p + s, s], [s, s]]: an uncertain velocity makes the place uncertain, and makes the two correlated.",
         "The gain on the velocity is the corner of that matrix over S = p + s + R.",
         "`return s / (p + s + R) * y`",
     ],

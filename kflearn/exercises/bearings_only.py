@@ -17,19 +17,19 @@ def offsets(rng):
 @exercise(
     hints=[
         "Draw a target north-west of the station. From which axis is `np.arctan(abs(north / east))` measured, and which way round?",
-        "It is always the angle to the east–west axis. In quadrant 2 one goes half a turn and comes back by it; in quadrant 4 a whole turn.",
+        "It is always the angle to the east–west axis. In quadrant 2 the bearing is 180° minus that angle, in quadrant 4 it is 360° minus it.",
         tried(
             (-1, 1),
             "mended_bearing(-1, 1)",
-            "That target is in the north-west, three eighths of a turn from east: 2.356 rad.",
-            "Try a target one metre west and one metre north: three eighths of a turn from east, 2.356 rad.",
+            "That target is in the north-west, 135° from east: 2.356 rad.",
+            "Try a target one metre west and one metre north: 135° from east, 2.356 rad.",
         ),
         "`np.arctan2` takes north first, then east, and looks at both signs; it gives −π to π.",
         "In one line: `return np.arctan2(north, east) % (2 * np.pi)`.",
     ],
     inputs=offsets,
     wrong=WRONG["mended_bearing"],
-    then="NumPy has the whole function: arctan2 was made for this, and it also bears an east of 0. Which bearing has a target due south?",
+    then="NumPy's arctan2 was made for this, and it also works where east is 0. Which bearing has a target due south?",
 )
 def mended_bearing(east, north):
     """The bearing of a target (rad, from 0 to 2π, counted from east towards north), `east` and `north` of a station."""
@@ -39,17 +39,17 @@ def mended_bearing(east, north):
 @exercise(
     hints=[
         "Look at what each line computes, not at what its result is called.",
-        "Units: how many radians does the bearing turn for each metre? The result must be something per metre.",
-        "Hand the function a place, and compare it with `bearing_slope` from above, or with two bearings a metre apart.",
+        "Units: by how many radians does the bearing change for each metre? The result must be something per metre.",
+        "Call the function with a place, and compare the result with `bearing_slope` from above, or with two bearings a metre apart.",
     ],
     wrong={
         "a": (
             "a",
-            "With the root, line 3 would divide metres by metres, and a target ten times as far away would turn the bearing as fast. Look at what is divided by, not at its name.",
+            "With the root, line 3 would divide metres by metres, and a step of a target ten times as far away would change the bearing as much. Look at what the divisor is, not at its name.",
         ),
         "b": (
             "b",
-            "Try a target due east. One metre further north turns its bearing up: the entry for north is +east/…, as in line 3.",
+            "Try a target due east. One metre further north makes its bearing larger: the entry for north is +east/…, as in line 3.",
         ),
         "c": (
             "c",
@@ -65,13 +65,13 @@ def review():
 
 @exercise(
     hints=[
-        "A variance is a mean of squares. If every number is multiplied by c, what happens to its square?",
-        "First make the standard deviation radians. Then square.",
+        "A variance is a mean of squares. If every number is multiplied by c, by what is its square multiplied?",
+        "First turn the standard deviation into radians. Then square it.",
         "In one line: `return np.radians(sd) ** 2`.",
     ],
     inputs=lambda rng: (float(rng.integers(1, 400) / 100),),
     wrong=WRONG["bearing_variance"],
-    then="For 0.1° it is 3·10⁻⁶ rad². The published number makes a sensor of 2.4° of it, so its filter used good readings far too little.",
+    then="For 0.1° it is 3·10⁻⁶ rad². The published number describes a sensor of 2.4°, so the filter gives good readings far too little weight.",
 )
 def bearing_variance(sd):
     """R (rad²) of a sensor whose bearings scatter with the standard deviation `sd`, in degrees."""
@@ -95,7 +95,7 @@ def bearing_variance(sd):
         ),
         "unchanged": (
             (3, -2),
-            "With the same velocity, twice as far away, the bearing would turn half as fast: that can be seen.",
+            "With the same velocity, twice as far away, the bearing would change half as fast, and that can be seen.",
         ),
         "relative, not doubled": (
             (-3, -2),
@@ -139,7 +139,7 @@ def bearing_variance(sd):
         ),
     },
     unit="m/s",
-    then="Every distance has such a twin. Only when we change our own velocity do the twins separate: that is why the ship must turn.",
+    then="Every distance has such a twin. The twins separate only when we change our own velocity, so the ship must turn.",
 )
 def twin_velocity():
     """The own velocity (east, north) of the target twice as far away that shows the same bearings."""

@@ -35,7 +35,7 @@ from kflearn.exercises.engine import exercise
         ),
         "the planned one": (
             27,
-            "R = 27 is the lesson's number for a gain that is planned ahead. The inflated filter adds the two variances.",
+            "R = 27 is the number that the lesson found by trial. The filter inflated by the variance adds the two variances.",
         ),
         "fused": (
             0.09 * 0.25 / 0.34,
@@ -82,7 +82,7 @@ def inflated():
     ],
     wrong=FIRST_COVARIANCE,
     unit="m²",
-    then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance is booked, the bias is not learnt.",
+    then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance with the bias is kept, and the bias is not learnt.",
 )
 def first_covariance():
     """P of position and bias after the first consider correction: P⁻ = diag(4, 1), H = [1, 1], R = 0.25."""
@@ -122,7 +122,7 @@ def beliefs(rng):
 
 @exercise(
     hints=[
-        "Which gain moves x, and which gain shrinks P? They must be the same one.",
+        "Which gain corrects x, and which gain makes P smaller? They must be the same one.",
         "So zero the row first. But then K is not the best gain any more, and (9) holds for the best gain only.",
         "Zero the row; then `keep = np.eye(len(x)) - K @ H` and `P = keep @ P @ keep.T + K @ R @ K.T`.",
     ],

@@ -109,7 +109,7 @@ def tunnel_mouths(rng):
         ),
         "the earlier of two": (
             lambda dv, b, allowed: min(allowed / dv, math.sqrt(2 * allowed / b)),
-            "You let the two race. But they work together: add the metres, then solve for t.",
+            "You took the earlier of two times. But both errors act at the same time: add the metres, then solve for t.",
         ),
         "not divided": (
             lambda dv, b, allowed: -dv + math.sqrt(dv**2 + 2 * b * allowed),
@@ -160,7 +160,7 @@ def dark_time(dv, b, allowed):
     wrong={
         "everything": (
             [1, 1, 1, 1, 1],
-            "That does it, as the closed loop. But some of the five stand nowhere in F, and may stay in either book.",
+            "That gives the closed loop's answer. But some of the five stand nowhere in F, so they need not go back.",
         ),
         "nothing": (
             [0, 0, 0, 0, 0],
@@ -180,11 +180,11 @@ def dark_time(dv, b, allowed):
         ),
         "the sensors' faults": (
             [0, 0, 0, 1, 1],
-            "Tempting, and not enough: the heading itself stays wrong in the first book, and F is drawn there.",
+            "Not enough: the heading itself stays wrong in the INS, and F is taken at the state of the INS.",
         ),
         "the position": (
             [1, 1, 0, 0, 0],
-            "The other way round: east and north are only added to. A metre is carried on alike in either book.",
+            "The other way round: F does not depend on east and north, so F moves a metre in the same way whether it is in the INS or in the error state.",
         ),
         "position and heading": (
             [1, 1, 1, 0, 0],
@@ -197,8 +197,8 @@ def dark_time(dv, b, allowed):
     }
     | MORE["goes_back"],
     then=(
-        "Only ψ and s stand in F. A state that F does not hold may be wrong in the INS: its error is carried on "
-        "alike in both books."
+        "Only ψ and s stand in F. A state on which F does not depend may be wrong in the INS: F moves its error in the "
+        "same way, fed back or not."
     ),
 )
 def goes_back():
@@ -220,7 +220,7 @@ def updated(x, dx, K, fix):
 
 @exercise(
     hints=[
-        "The line for dx is right. What is missing comes after it: who tells the INS?",
+        "The line for dx is right. What is missing comes after it: the INS must be corrected too.",
         "First correct dx as published. Then add it to x. And what is left of the error that x has lost?",
         "`dx = dx + K @ (fix - x[:2] - dx[:2])`, then `return x + dx, 0 * dx`.",
     ],
@@ -229,7 +229,7 @@ def updated(x, dx, K, fix):
     wrong={
         "as published": (
             lambda x, dx, K, fix: (x, updated(x, dx, K, fix)),
-            "That is the open loop again: x never hears of dx, and the tangents are drawn further and further from the road.",
+            "That is the open loop again: dx is never added to x, so the tangents are taken further and further from the road.",
         ),
         "told twice": (
             lambda x, dx, K, fix: (x + updated(x, dx, K, fix), updated(x, dx, K, fix)),
@@ -245,7 +245,7 @@ def updated(x, dx, K, fix):
         ),
         "innovation without dx": (
             lambda x, dx, K, fix: (x + dx + K @ (fix - x[:2]), 0 * dx),
-            "The innovation compares the fix with x alone. What dx already explains is no news: subtract dx[:2] as well.",
+            "The innovation compares the fix with x alone. A part of that difference is explained by dx already: subtract dx[:2] as well.",
         ),
         "fed back before the gain, and again": (
             lambda x, dx, K, fix: (x + dx + updated(x, dx, K, fix), 0 * dx),
@@ -257,7 +257,7 @@ def updated(x, dx, K, fix):
         ),
         "reset without telling": (
             lambda x, dx, K, fix: (x, 0 * dx),
-            "The error state is zero, but nobody has told x what it was: the fix is lost.",
+            "The error state is zero, but it has not been added to x: the fix is lost.",
         ),
         "only the position": (
             lambda x, dx, K, fix: (x + np.append(updated(x, dx, K, fix)[:2], 0 * x[2:]), 0 * dx),
@@ -265,7 +265,7 @@ def updated(x, dx, K, fix):
         ),
         "the output only": (
             lambda x, dx, K, fix: x + updated(x, dx, K, fix),
-            "That is the output, and it is right; but two books go on from here: return the INS's state and the error state.",
+            "That is the output, and it is right. But the filter goes on with two states: return the INS's state and the error state.",
         ),
         "told the old, kept the new": (
             lambda x, dx, K, fix: (x + dx, updated(x, dx, K, fix)),

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._claimed_and_real import WRONG as LAST
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
@@ -11,7 +12,7 @@ from kflearn.exercises.engine import exercise
 
 
 def two_opinions(rng):
-    """Means and variances of a prediction and a measurement: round, different, one often much vaguer than the other."""
+    """Means and variances of a prediction and a measurement: round, different, one often much less certain than the other."""
     means = rng.choice(np.arange(80, 121) / 2, 2, replace=False)
     variances = rng.choice([0.25, 0.5, 2.0, 3.0, 4.5, 9.0, 100.0], 2, replace=False)
     return float(means[0]), float(variances[0]), float(means[1]), float(variances[1])
@@ -21,27 +22,27 @@ def two_opinions(rng):
     hints=[
         lambda last: (
             "You have formed K = 0.8333 / (0.8333 + 2). What stands in (12), σ or σ²?"
-            if is_about(last, 62.0588, within=1e-3)
+            if is_about(last, 62.9412, within=1e-3)
             else "The satellite's number is a standard deviation. Formulas (10)–(14) want variances."
         ),
-        "The prediction is now N(61.6667, 0.8333), the measurement N(63, 2²). Start with K.",
-        "K = 0.8333 / (0.8333 + 4) = 0.1724. Walk that fraction of the way from 61.6667 to 63.",
+        "The prediction is now N(61.6667, 0.8333), the measurement N(66, 2²). Start with K.",
+        "K = 0.8333 / (0.8333 + 4) = 0.1724. Move that fraction of the way from 61.6667 to 66.",
     ],
     wrong=WRONG["third_opinion"],
     unit="m",
     rtol=5e-4,
-    then="The satellite moves the mean by 0.23 m only, and it makes the variance smaller, 0.69 for 0.83 m²: even a vague opinion helps, if its σ is right.",
+    then="The satellite moves the mean by only 0.75 m, although it is 4.3 m away. The variance becomes smaller, 0.69 m² in place of 0.83 m²: even an uncertain opinion helps, if its σ is right.",
 )
 def third_opinion():
-    """The mean of N(61.6667, 0.8333) fused with a satellite fix of 63 m, σ = 2 m."""
+    """The mean of N(61.6667, 0.8333) fused with a satellite fix of 66 m, σ = 2 m."""
     gain = 0.8333 / (0.8333 + 2**2)
-    return 61.6667 + gain * (63 - 61.6667)
+    return 61.6667 + gain * (66 - 61.6667)
 
 
 @exercise(
     hints=[
         "Three lines: first K from the two variances (12), then the mean (13), then the variance (14).",
-        "K = var_x / (var_x + var_z). The mean starts at mean_x and walks the fraction K towards mean_z.",
+        "K = var_x / (var_x + var_z). The mean starts at mean_x and moves the fraction K of the way to mean_z.",
         "`return mean_x + K * (mean_z - mean_x), var_x * (1 - K)`",
     ],
     inputs=two_opinions,
@@ -58,7 +59,7 @@ def fuse(mean_x, var_x, mean_z, var_z):
     hints=[
         "Precisions 1/σ² add: the prediction brings 1/5, each reading brings 1/1.",
         "You need 1/5 + n ≥ 1/0.3².",
-        "1/0.09 − 0.2 = 10.91: and you cannot read a tape 0.91 times.",
+        "1/0.09 − 0.2 = 10.91, and readings come in whole numbers.",
     ],
     wrong=WRONG["readings_needed"],
     unit="readings",
@@ -69,18 +70,43 @@ def readings_needed():
     return math.ceil(1 / 0.3**2 - 1 / 5)
 
 
+def two_variances(rng):
+    """Variances of a prediction and a reading, round and different."""
+    return tuple(rng.choice([0.25, 0.5, 2.0, 3.0, 4.5, 9.0, 100.0], 2, replace=False).tolist())
+
+
 @exercise(
     hints=[
-        "N(μx, σz²) takes its mean from one opinion and its variance from the other. Is either of them the fused one?",
-        "Which number does the fused estimate move to, and how far? Formula (10) or (13). What is left of the variance? Formula (11) or (14).",
-        "`mean = (mean_x * var_z + mean_z * var_x) / (var_x + var_z)`, `variance = var_x * var_z / (var_x + var_z)`",
+        "The mean squared error belongs to the returned mean. Which mean do the three versions return, and how far off is it on average? Only then divide by what is claimed.",
+        "μx has the mean squared error var_x. The fused mean has var_x · var_z / (var_x + var_z), by (11).",
+        "Published: var_x / var_z. Anna: fused / var_z. Ben: var_x / fused; with fused = var_x * var_z / (var_x + var_z).",
     ],
-    inputs=two_opinions,
-    wrong=WRONG["published_claim"] | SLIPS["published_claim"],
-    then="The fused variance is smaller than both, 0.83 m² from 5 and 1 m². The published sentence understates the knowledge and misses the position.",
+    inputs=two_variances,
+    wrong=LAST["published_claim"],
+    then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's version claims even more than the published one.",
 )
-def published_claim(mean_x, var_x, mean_z, var_z):
-    """Mean and mean squared error of the fused estimate, which a published text gives as μx and σz²."""
-    mean = (mean_x * var_z + mean_z * var_x) / (var_x + var_z)
-    variance = var_x * var_z / (var_x + var_z)
-    return mean, variance
+def published_claim(var_x, var_z):
+    """Real mean squared error over claimed variance: of N(μx, σz²), and with only its mean or only its variance mended."""
+    fused = var_x * var_z / (var_x + var_z)
+    return var_x / var_z, fused / var_z, var_x / fused
+
+
+def three_covariances(rng):
+    """P, R and a covariance c between them, with a parabola that has a lowest point."""
+    P, R = rng.choice([1.0, 2.0, 4.0, 5.0, 9.0, 16.0], 2, replace=False).tolist()
+    return P, R, float(rng.choice([-0.5, -0.25, 0.25, 0.5, 0.75])) * min(P, R)
+
+
+@exercise(
+    hints=[
+        "The error is (1 − K) e⁻ + K v, as before. The variance of a sum of two numbers is the sum of their variances plus twice their covariance.",
+        "The covariance of (1 − K) e⁻ and K v is K (1 − K) c. So P(K) = (1 − K)² P + K² R + 2 K (1 − K) c. Where is its slope zero?",
+        "−2 (1 − K) P + 2 K R + 2 (1 − 2 K) c = 0. Collect what belongs to K: K (P + R − 2 c) = P − c.",
+    ],
+    inputs=three_covariances,
+    wrong=LAST["common_cause"],
+    then="With c = 0 this is (12). If c is larger than P, K is negative; if it is larger than R, K is above 1: then the best estimate is not even between the two numbers.",
+)
+def common_cause(P, R, c):
+    """The best gain, when the errors of prediction and reading have the variances P and R and the covariance c."""
+    return (P - c) / (P + R - 2 * c)

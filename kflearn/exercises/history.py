@@ -3,66 +3,70 @@
 import numpy as np
 
 from kflearn.exercises._hints import is_about
-from kflearn.exercises._history import WRONG, wrong_lines
+from kflearn.exercises._history import WRONG, wrong_letters
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
-CONSTANT_GAIN = 0.2207
+CONSTANT_GAIN, SLOW_GAIN = 0.2207, 0.15
 
 
 @exercise(
     hints=[
-        "Two lines are wrong. The lesson has all the years you need: in the timeline, and in its text.",
-        "Whose report was secret until 1949? And in which century do years such as 1722 and 1750 lie?",
-        "Anti-aircraft fire: the Second World War, line 5. The years 1722, 1749 and 1750 are in the 18th century, line 1.",
+        "Q says how far the clock may wander in a night. If it is above zero, the same clock's older readings tell less about tonight. Which rows show that?",
+        "Two of the four have Q = 0. One was told that the clock's error is constant; the other that it changes by the same amount every night.",
+        "D has equal weights: the mean. In A the weights fall by the same step each night, to below zero: the straight line of least squares.",
     ],
-    wrong={", ".join(map(str, sorted(lines))): (lines, sentence) for lines, sentence in wrong_lines()},
-    then="1722, 1749 and 1750 lie in the 18th century, and Wiener's report is from 1942. Note how long it took: eighty "
-    "years lie between Thiele's recursion and Kalman's.",
+    wrong={", ".join(sorted(picked)): (picked, sentence) for picked, sentence in wrong_letters()},
+    then="D was told of a constant, A of a constant rate, and with Q = 0 nothing else may happen. B and C differ in how far the "
+    "clock may wander: in B nearly all of the weight lies on the newest night.",
 )
-def dates():
-    """The numbers of the lines with a wrong date."""
-    return {1, 5}  # 1722, 1749 and 1750 are in the 18th century; Wiener's report is from 1942
+def undisturbed():
+    """Which of the four filters, of which the weights are given, were told Q = 0?"""
+    return {"A", "D"}
 
 
 @exercise(
     hints=[
         "Add K(1 − K)ʲ for j = 0 to 9. All weights together, for ever, make 1.",
         "What is left over after ten readings is (1 − K)¹⁰. Each step leaves the part 1 − K of what was left.",
-        "`1 - (1 - 0.2207) ** 10`",
+        "`1 - (1 - 0.15) ** 10`",
     ],
     wrong={
         "the rest": (
-            lambda: (1 - CONSTANT_GAIN) ** 10,
+            lambda: (1 - SLOW_GAIN) ** 10,
             "That is what lies on all readings older than these ten. The share of the ten is 1 minus it.",
         ),
         "nine readings": (
-            lambda: 1 - (1 - CONSTANT_GAIN) ** 9,
+            lambda: 1 - (1 - SLOW_GAIN) ** 9,
             "You counted nine readings. From j = 0 to 9 there are ten: after the first, 1 − K is left; after ten, (1 − K)¹⁰.",
         ),
         "eleven readings": (
-            lambda: 1 - (1 - CONSTANT_GAIN) ** 11,
+            lambda: 1 - (1 - SLOW_GAIN) ** 11,
             "You counted eleven readings: j = 0 to 9 are ten.",
         ),
         "one weight": (
-            lambda: CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** 9,
+            lambda: SLOW_GAIN * (1 - SLOW_GAIN) ** 9,
             "That is the weight of the tenth reading alone. Add up all ten.",
         ),
         "relative weight": (
-            lambda: CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** 10,
+            lambda: SLOW_GAIN * (1 - SLOW_GAIN) ** 10,
             "That is the weight of a single reading, ten nights ago. Add up the ten that are newer.",
         ),
         "ten times K": (
-            lambda: 10 * CONSTANT_GAIN,
+            lambda: 10 * SLOW_GAIN,
             "Only the newest reading has the weight K; and no share is larger than 1.",
         ),
+        "the lesson's K": (
+            lambda: 1 - (1 - CONSTANT_GAIN) ** 10,
+            "That is right for the lesson's K = 0.2207. Here K is 0.15.",
+        ),
         "powers of K": (
-            lambda: 1 - CONSTANT_GAIN**10,
+            lambda: 1 - SLOW_GAIN**10,
             "That is nearly the whole weight, but older readings have some of it. After each reading the part 1 − K is left, not K.",
         ),
         "per cent": (
-            lambda: 100 * (1 - (1 - CONSTANT_GAIN) ** 10),
+            lambda: 100 * (1 - (1 - SLOW_GAIN) ** 10),
             "Right, in per cent. Give the share as a number between 0 and 1.",
         ),
         "as in a mean": (
@@ -70,11 +74,11 @@ def dates():
             "That would be the mean of forty readings, where all count the same. Here the newest count most.",
         ),
         "the tenth power of K": (
-            lambda: CONSTANT_GAIN**10,
+            lambda: SLOW_GAIN**10,
             "You took K to the power ten. After each reading the part 1 − K is left for the older ones.",
         ),
         "K forgotten": (
-            lambda: (1 - (1 - CONSTANT_GAIN) ** 10) / CONSTANT_GAIN,
+            lambda: (1 - (1 - SLOW_GAIN) ** 10) / SLOW_GAIN,
             "Your weights lack the factor K: a share is at most 1.",
         ),
         "ten of a hundred": (
@@ -82,28 +86,28 @@ def dates():
             "That is ten of a hundred nights, if all counted the same. Here the newest count most.",
         ),
         "ten nights ago": (
-            lambda: 1 - CONSTANT_GAIN,
+            lambda: 1 - SLOW_GAIN,
             "That is what one reading leaves to all older ones. Ten readings leave (1 − K)¹⁰.",
         ),
         "j from 1": (
-            lambda: sum(CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** j for j in range(1, 11)),
+            lambda: sum(SLOW_GAIN * (1 - SLOW_GAIN) ** j for j in range(1, 11)),
             "You added j = 1 to 10. The newest reading has j = 0.",
         ),
-        "the newest alone": (0.2207, "That is the newest reading alone. Add the nine before it."),
+        "the newest alone": (0.15, "That is the newest reading alone. Add the nine before it."),
         "as a list": (
-            lambda: [CONSTANT_GAIN * (1 - CONSTANT_GAIN) ** j for j in range(10)],
+            lambda: [SLOW_GAIN * (1 - SLOW_GAIN) ** j for j in range(10)],
             "These are the ten weights. Add them up.",
         ),
         "the rest in per cent": (
-            lambda: 100 * (1 - CONSTANT_GAIN) ** 10,
+            lambda: 100 * (1 - SLOW_GAIN) ** 10,
             "That is the share of all older readings, in per cent. The ten newest have what is left of the whole.",
         ),
     },
-    then="With a tenth of this gain, the newest ten readings would have only 20 % of the weight.",
+    then="With the lesson's K = 0.2207 it is 0.92, and with a tenth of that gain only 0.20. The smaller the gain, the longer the past must be before it counts as infinite.",
 )
 def newest_ten():
-    """The share of the whole weight that lies on the newest ten readings, with K = 0.2207 and weights K(1 − K)ʲ."""
-    gain = 0.2207
+    """The share of the whole weight that lies on the newest ten readings, with K = 0.15 and weights K(1 − K)ʲ."""
+    gain = 0.15
     return 1 - (1 - gain) ** 10
 
 
@@ -157,7 +161,7 @@ def exponential_weights(K, n):
         ),
         "times K": (
             lambda: 0.3 * CONSTANT_GAIN,
-            "You multiplied by K. A *small* gain trails far behind: K belongs below the line.",
+            "You multiplied by K. With a *small* gain the estimate is far behind: K belongs in the denominator.",
         ),
         "upside down": (
             lambda: 0.3 * CONSTANT_GAIN / (1 - CONSTANT_GAIN),
@@ -173,7 +177,7 @@ def exponential_weights(K, n):
         ),
         "1 − K below": (
             lambda: 0.3 / (1 - CONSTANT_GAIN),
-            "You divided by 1 − K. Each night the estimate goes the part K of the way, so K belongs below the line.",
+            "You divided by 1 − K. Each night the estimate goes the part K of the way, so K belongs in the denominator.",
         ),
         "nights of 1/K": (
             lambda: 1 / CONSTANT_GAIN,

@@ -1,14 +1,28 @@
-"""Lesson 13: linearised and extended."""
+"""Lesson 13: tangents, Jacobians, and the first filter made of them."""
 
 import numpy as np
 
 from kflearn import angle_difference
-from kflearn.exercises import _cart_on_a_rail
+from kflearn.exercises import _cart_on_a_rail, _sag
 from kflearn.exercises._judge import inside, nees, track
 from kflearn.exercises._linearised_and_extended import WRONG
 from kflearn.exercises._radar import FAILING, PASSING, place_error, recording
-from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
+
+
+@exercise(
+    hints=[
+        "The sag is σ²/(2d). Which σ makes it as large as the standard deviation of a reading?",
+        "Write the equation with numbers: σ²/(2 · 400 m) = 2 m.",
+        "σ² = 2 · 400 m · 2 m = 1600 m². The answer is the root of that.",
+    ],
+    wrong=_sag.WRONG,
+    unit="m",
+    then="At a quarter of that, 10 m, the sag is only a sixteenth of the reading's σ: it falls with the square.",
+)
+def widest_belief():
+    """Abreast of a station, 400 m away, σ of a reading 2 m: for which σ of the belief (m) is the sag 2 m?"""
+    return np.sqrt(2 * 400 * 2)
 
 
 def radar_states(rng):
@@ -18,15 +32,15 @@ def radar_states(rng):
 
 @exercise(
     hints=[
-        "Compare `claimed(x)` with `jacobian(radar, x)` at a state without zeros or symmetries, say [300, 20, 400, -7].",
+        "Compare `claimed(x)` with `jacobian(radar, x)` at a state without zeros or symmetries, say `np.array([300.0, 20, 400, -7])`.",
         "Print the difference of the two: seven entries agree. The eighth has the right size and the wrong sign.",
         "The entry in row 1, column 2 is the one: `J = claimed(x)`, then `J[1, 2] = -J[1, 2]`, then `return J`.",
     ],
     inputs=radar_states,
     wrong=WRONG["mended_slope"],
-    rtol=1e-5,
+    rtol=1e-11,
     fixed={"x": "the state is place and velocity in the plane: always four numbers"},
-    then="One wrong sign among eight entries makes no error message: this comparison takes three lines, so do it for every filter you write.",
+    then="One wrong sign among eight entries makes no error message. The comparison takes three lines, so do it for every filter you write.",
 )
 def mended_slope(x):
     """The Jacobian (2, 4) of distance and rate of distance for the state [x, vx, y, vy] seen from the origin."""
@@ -35,48 +49,32 @@ def mended_slope(x):
     return np.array([[x[0] / r, 0, x[2] / r, 0], [x[2] * turn / r**3, x[0] / r, -x[0] * turn / r**3, x[2] / r]])
 
 
-def growth_beliefs(rng):
-    """An estimate, its variance and an input of the growth model."""
-    return float(rng.integers(-40, 41) / 4 + 0.1), float(rng.integers(1, 20) / 4), float(rng.integers(-32, 33) / 4)
+def radar_readings(rng):
+    """A distance, a bearing and their standard deviations."""
+    angle = float(rng.integers(1, 40) * 0.15 - 3.05)
+    return float(rng.integers(2, 40) * 25), angle, float(rng.integers(1, 12)), float(rng.integers(1, 20) / 200)
 
 
 @exercise(
     hints=[
-        "The belief's width is stretched by the curve. At which place does the curve meet this belief: where it stood, or where it lands?",
-        "A belief stands at x before it moves. So the tangent is needed at the old x, but the first line has overwritten it.",
-        "Swap two lines: first `F = move_slope(x)`, then `x = move(x, u)`, then P = F * P * F + 10.",
+        "The curve takes (r, θ) to (r cos θ, r sin θ). Its Jacobian has a row for east, a row for north, and a column for r and for θ.",
+        "The errors of r and θ are independent, so their covariance is diag(sd_r², sd_angle²). A tangent J makes J R Jᵀ of it.",
+        "`J = np.array([[np.cos(angle), -r * np.sin(angle)], [np.sin(angle), r * np.cos(angle)]])`, then "
+        "`return J @ np.diag([sd_r**2, sd_angle**2]) @ J.T`.",
     ],
-    inputs=growth_beliefs,
-    wrong=WRONG["mended_prediction"],
-    then="At x = 2 the slope is −2.5, at 0 it is 25.5: the belief is stretched ten times as much. That is why the place matters.",
+    inputs=radar_readings,
+    wrong=_sag.POLAR,
+    rtol=1e-6,
+    then="Many trackers do this with each reading and then use a linear filter. The angle's curve sags too: on average the place is "
+    "too far out by about r·σθ²/2, which is 0.2 m at 1 km with 0.02 rad, and 20 m with 0.2 rad.",
 )
-def mended_prediction(x, P, u):
-    """The EKF's prediction of the growth model (coefficient 25, Q = 10): the mean and its variance."""
-    F = 0.5 + 25 * (1 - x**2) / (1 + x**2) ** 2
-    x = x / 2 + 25 * x / (1 + x**2) + u
-    return x, F * P * F + 10
+def into_the_plane(r, angle, sd_r, sd_angle):
+    """The covariance (2, 2) of [east, north], by the tangent, of a target seen at distance r (m) and bearing `angle`.
 
-
-def believed_starts(rng, runs):
-    """A mean, a diagonal P₀ and standard normal numbers for a few runs."""
-    mean = rng.integers(-200, 200, 4).astype(float)
-    return mean, np.diag(rng.integers(2, 60, 4) / 2 + 0.5), rng.normal(size=(runs, 4)).round(2)
-
-
-@exercise(
-    hints=[
-        "A filter that starts with N(mean, P0) says that the truth lies about `mean`, with the variances of P0. Let it be so.",
-        "Standard normal numbers have variance 1. Stretch column i by the *root* of P0[i, i], then move it to mean[i].",
-        "`return mean + normal * np.sqrt(np.diag(P0))` (one row a run; P0 is diagonal).",
-    ],
-    inputs=in_turn(believed_starts, 2, 3, 6, 1),
-    wrong=WRONG["true_starts"],
-    fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},
-    then="With starts like these the mean NEES before the first reading is 4, the number of states; with the published ones it is 0.",
-)
-def true_starts(mean, P0, normal):
-    """True starts (runs, 4) drawn from the belief N(mean, P0), P0 diagonal, by standard normal numbers (runs, 4)."""
-    return mean + normal * np.sqrt(np.diag(P0))
+    The bearing (rad) counts from east towards north; sd_r (m) and sd_angle (rad) are the standard deviations.
+    """
+    J = np.array([[np.cos(angle), -r * np.sin(angle)], [np.sin(angle), r * np.cos(angle)]])
+    return J @ np.diag([sd_r**2, sd_angle**2]) @ J.T
 
 
 def on_the_rail(rng):
@@ -87,13 +85,13 @@ def on_the_rail(rng):
 
 @exercise(
     hints=[
-        "Two lines change. Where is the tangent drawn, and what does it expect at x?",
-        "The slope is that at `nominal`. At x the line stands at: its height at the nominal, plus slope times the way from there to x.",
+        "Two lines change. Where does the tangent touch the curve, and which distance does the tangent give at x?",
+        "The slope is the one at `nominal`. At x the tangent has the height of the curve at the nominal, plus the slope times the way from there to x.",
         "With `height = np.hypot(nominal, 20)`: `H = nominal / height` and `expected = height + H * (x - nominal)`; the rest as before.",
     ],
     inputs=on_the_rail,
     wrong=_cart_on_a_rail.WRONG["linearised_correction"],
-    then="H and P do not depend on the readings: all gains can be computed before the first one comes. For the EKF that is impossible.",
+    then="H and P do not depend on the readings: all gains can be computed before the first reading comes. For the extended filter that is impossible.",
 )
 def linearised_correction(x, P, reading, nominal):
     """A correction of the cart on the rail (R = 4), with the tangent at `nominal`: the estimate and its variance."""
@@ -101,30 +99,6 @@ def linearised_correction(x, P, reading, nominal):
     expected = np.hypot(nominal, 20) + H * (x - nominal)
     K = P * H / (H * P * H + 4)
     return x + K * (reading - expected), (1 - K * H) * P
-
-
-@exercise(
-    hints=[
-        "Two things decide: does the path run away from the nominal, and is the sag of the tangent large beside a reading's σ of 2.24 m?",
-        "The speeds are as in the start that was 30 m off. The sag grows with the square of σ: 100²/(2·316), which is 16 m.",
-        "Seven times a reading's σ: each tangent is badly wrong. Which of the two filters draws new tangents at each step, and takes each for new information?",
-    ],
-    wrong={
-        "EKF": (
-            "EKF",
-            "So says the slide. But each of its first corrections is sharp and bent, and it takes the turning of its own tangents for new information.",
-        ),
-        "neither": (
-            "no difference",
-            "There was a difference at 30 m already, and the sag is eleven times as large now.",
-        ),
-    },
-    then="Over a thousand runs the LKF is off by 43 m on average, the EKF by 80 m. The EKF draws each tangent at another wrong place, "
-    "and takes the turning of its tangents for new directions that were measured.",
-)
-def winner():
-    """Which filter errs less with a start wrong by 100 m and 1 m/s: "LKF", "EKF" or "no difference"?"""
-    return "LKF"
 
 
 @judged(
@@ -166,21 +140,21 @@ def winner():
             nees(),
             0.8,
             1.25,
-            below="Too modest: the squared errors are smaller than claimed. Are both measurements used, with R = diag(5², 0.02²)?",
-            above="Too sure: the squared errors are larger than claimed. Is H right, is R = diag(5², 0.02²), is Q added, are bearings subtracted the short way?",
+            below="The claim is too large: the squared errors are smaller than claimed. Are both measurements used, with R = diag(5², 0.02²)?",
+            above="The claim is too small: the squared errors are larger than claimed. Is H right, is R = diag(5², 0.02²), is Q added, are bearings subtracted the short way?",
         ),
     ],
     form=track(4),
     passing=PASSING,
     failing=FAILING,
-    then="With distance and bearing together the tangents are nearly right, and the filter honest. With the distance alone it was not.",
+    then="With distance and bearing together one reading fixes the place in both directions, the belief stays narrow, and the tangents are nearly right. With the distance alone a belief 30 m wide is too wide already: see lesson 14.",
 )
 def range_and_bearing(z, mean, cov):
     """Write a filter `(z, mean, cov) → mean, covariance` for a radar at the origin that measures distance and bearing.
 
     z (100, 2): distance (m) and bearing (rad, from −π to π, counted from east towards north), one a second, with
-    standard deviations 5 m and 0.02 rad. The state is [east, speed east, north, speed north] in m and m/s, F and Q are
-    the lesson's: `np.kron(np.eye(2), [[1, 1], [0, 1]])` and `np.diag([0.005, 0.01, 0.005, 0.01])`. The start, one second
+    standard deviations 5 m and 0.02 rad. The state is [east, speed east, north, speed north] in m and m/s, F is
+    the lesson's, `np.kron(np.eye(2), [[1, 1], [0, 1]])`, and Q is `np.diag([0.005, 0.01, 0.005, 0.01])`. The start, one second
     before the first reading, is N(mean, cov), (4,) and (4, 4). Return the means (100, 4) and covariances (100, 4, 4).
     """
     F, Q = np.kron(np.eye(2), [[1, 1], [0, 1]]), np.diag([0.005, 0.01, 0.005, 0.01])

@@ -9,25 +9,25 @@ from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises.engine import exercise
 
 
-def steps_and_masses(rng):
-    """A time step and a mass; neither is 1, where the usual mistakes do not show, nor are they equal."""
-    dt = rng.choice([0.25, 0.5, 2.0, 4.0])
-    return float(dt), float(rng.choice([3.0, 5.0, 6.0, 10.0]))
+def steps_masses_and_drags(rng):
+    """A time step, a mass, a drag; none is 1, where the usual mistakes do not show, and the drag is weak."""
+    dt, mass = float(rng.choice([0.25, 0.5, 2.0])), float(rng.choice([3.0, 5.0, 6.0, 10.0]))
+    return dt, mass, float(rng.choice([0.3, 0.6, 0.9]))
 
 
 @exercise(
     hints=[
-        "Read (1) and (2) again: what stands before s, before v and before the force, in each of them?",
-        "The first row of F is what (1) takes from s and from v. B is Γ = [dt²/2, dt], divided by something.",
-        "`return np.array([[1, dt], [0, 1]]), np.array([[dt**2 / 2], [dt]]) / mass`",
+        "Write u − c·v wherever (1) and (2) have the force. Then collect everything that is multiplied by v: what stands before v in (1), and what in (2)?",
+        "(1) becomes p + (dt − c·dt²/2m)·v + dt²/2m·u. Sort (2) in the same way. The factors of p and v are the rows of F, those of u are B.",
+        "`F = np.array([[1, dt - c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]])`, then `return F, np.array([[dt**2 / 2], [dt]]) / mass`",
     ],
-    inputs=steps_and_masses,
+    inputs=steps_masses_and_drags,
     wrong=WRONG["motion"],
-    then="Two steps of dt/2 with the same force end exactly where one step of dt ends. A wrong B, such as [dt²/m, dt/m], fails this test.",
+    then="With c = 0 it is the lesson's cart. Unlike (3), this F is not exact: the drag changes during the step, so dt must be short beside m/c.",
 )
-def motion(dt, mass):
-    """F and B of a cart of the given mass (kg) for a step of dt seconds, when the input is the force (N)."""
-    F = np.array([[1, dt], [0, 1]])
+def motion(dt, mass, c):
+    """F and B of a cart (kg) whose input is the force (N), with a drag −c·v that is held during a step of dt seconds."""
+    F = np.array([[1, dt - c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]])
     B = np.array([[dt**2 / 2], [dt]]) / mass
     return F, B
 
@@ -143,13 +143,13 @@ def motion(dt, mass):
     then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )
 def three_sensors():
-    """H for a tape in metres, a tape in centimetres and a speedometer in km/h; the state is [s (m), v (m/s)]."""
+    """H for a tape in metres, a tape in centimetres and a speedometer in km/h; the state is [p (m), v (m/s)]."""
     return np.array([[1, 0], [100, 0], [0, 3.6]])
 
 
 POSSIBLE = {
-    "B": "B is possible: Q₁₂ is the mean of a position's error times a velocity's error, m · m/s = m²/s.",
-    "D": "D is possible: K₂ gives m/s for each metre of the tape, (m/s)/m = 1/s.",
+    "B": "B is possible: the corner of Q is the mean of a disturbance of the position times one of the velocity, m · m/s = m²/s.",
+    "D": "D is possible: B₂ is in (m/s)/N, and 1 N is 1 kg·m/s², which leaves s/kg.",
 }
 IMPOSSIBLE = {"A": "Which two units does A add?", "C": "In which unit is a variance?", "E": "What is (m/s²)·s?"}
 
@@ -163,12 +163,12 @@ def wrong_choices():
         if too_many:
             yield picked, " ".join(too_many)
         elif missing:
-            yield picked, f"Right so far, and {len(missing)} more. {missing[0]}"
+            yield picked, f"Right so far, but {len(missing)} more cannot be right. {missing[0]}"
 
 
 @exercise(
     hints=[
-        "Write the unit beside every letter. A sum needs equal units, a variance the square of a unit, a gain the unit of what it corrects over the unit of what is read.",
+        "Write the unit beside every letter. A sum needs equal units, a variance the square of a unit, an entry of B the unit of what comes out over the unit of what goes in.",
         "Three of the five are impossible: one sum, one variance, one distance.",
         "A adds m to m/s. C should be in m², as R is the mean of a squared error. In E, (m/s²)·s is no distance.",
     ],
@@ -176,7 +176,7 @@ def wrong_choices():
     then="A adds metres to metres per second, C gives a variance in m where m² belongs, and the product in E is a velocity. No number mends a wrong unit.",
 )
 def impossible():
-    """Which cannot be right: A reads s + v, B Q₁₂ = 0.5 m²/s, C R = 0.5 m, D K₂ = 0.4 per second, E the distance a·dt/2?"""
+    """Which cannot be right: A reads p + v, B Q₁₂ = 0.5 m²/s, C R = 0.5 m, D B₂ = 0.5 s/kg, E the distance a·dt/2?"""
     return {"A", "C", "E"}
 
 
@@ -197,8 +197,8 @@ def one_after_the_other(F, x, order=(0, 1)):
 @exercise(
     hints=[
         "Which x[0] does the second line want: the one before the step, or the one after it? For which F does that make no difference?",
-        "Keep the old state under two names of its own before anything is overwritten. The cart was lucky: its F[1, 0] is 0.",
-        "`s, v = x`, then `return np.array([F[0, 0] * s + F[0, 1] * v, F[1, 0] * s + F[1, 1] * v])`",
+        "Keep the old state under two names of its own before anything is overwritten. For the cart it makes no difference, because its F[1, 0] is 0.",
+        "`p, v = x`, then `return np.array([F[0, 0] * p + F[0, 1] * v, F[1, 0] * p + F[1, 1] * v])`",
     ],
     inputs=matrices_and_states,
     wrong={
@@ -264,7 +264,7 @@ def one_after_the_other(F, x, order=(0, 1)):
         ),
         "unchanged": (lambda F, x: x, "You return the old state. Where are the new entries?"),
     },
-    then="The cart was lucky: its F[1, 0] is 0, so its second line does not ask for x[0] at all.",
+    then="For the cart F[1, 0] is 0, so its second line does not contain x[0] at all. And `F @ x` calculates the whole new vector before anything is overwritten.",
     fixed={
         "F": "the published program steps a state of two numbers, entry by entry, and so does the answer",
         "x": "the published program steps a state of two numbers, entry by entry, and so does the answer",

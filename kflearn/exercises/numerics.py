@@ -97,7 +97,7 @@ def corrections(rng):
             "The first half is right. Only K times the reading's error comes in, so its variance counts as K²R.",
         ),
     },
-    then="With the best gain K = P/(P + R) the numerator is (1 − K)P again, and an honest claim makes the NEES 1.",
+    then="With the best gain K = P/(P + R) the numerator is (1 − K)P again. If the filter claims just this, the NEES is 1.",
 )
 def average_nees(P, K, R, claim):
     """The average NEES of a filter of one state (H = 1) that uses the gain K and claims the variance `claim`."""
@@ -118,7 +118,7 @@ def average_nees(P, K, R, claim):
         ),
         "no gain": (
             lambda orders: orders,
-            "Then nothing would be won. The root of 10¹² is 10⁶.",
+            "Then a root would save nothing. The root of 10¹² is 10⁶.",
         ),
         "root of the exponent": (
             lambda orders: np.sqrt(orders),
@@ -254,7 +254,7 @@ def smaller(first, second):
             "You fused the two, as if they were independent. The reading is in one of them already: choose that one.",
         ),
     },
-    then="The trace decides because a reading makes no variance larger, whatever H and R are. A prediction may.",
+    then="The traces tell because a reading never makes a variance larger, whatever H and R are. A prediction may do so.",
 )
 def posterior(one, two):
     """The covariance after the reading, from two roots: one of the covariance before the reading, one of that after."""

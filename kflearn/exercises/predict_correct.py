@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._correction import WRONG as CORRECTION
 from kflearn.exercises._predict_correct import WRONG, other_letters
 from kflearn.exercises._predict_correct_misprints import WRONG as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
@@ -16,7 +17,7 @@ from kflearn.exercises.engine import exercise
         "F P Fᵀ = [[18, 7], [7, 3]]; add 4 and 1 on the diagonal.",
     ],
     wrong=WRONG["predicted_covariance"],
-    then="Position and velocity now err together: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75, by the motion alone.",
+    then="The errors of position and velocity now belong together more closely: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75, by the motion alone.",
 )
 def predicted_covariance():
     """The predicted covariance for dt = 2 s, P = [[2, 1], [1, 3]], Q = diag(4, 1)."""
@@ -49,7 +50,7 @@ def corrections(rng, n, m):
         "`K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)`, then `return x + K @ (z - H @ x), (np.eye(len(x)) - K @ H) @ P`",
     ],
     inputs=in_turn(corrections, (1, 1), (2, 2), (3, 3), (2, 2), (2, 1), (3, 2)),
-    wrong=WRONG["correct"] | SLIPS["correct"],
+    wrong=CORRECTION["correct"] | SLIPS["correct"],
     then="If R goes to zero and H can be inverted, K goes to H⁻¹: the new state is then the one that gives exactly z.",
 )
 def correct(x, P, z, H, R):
@@ -60,8 +61,25 @@ def correct(x, P, z, H, R):
 
 @exercise(
     hints=[
+        "The speedometer reads the second number of the state: H = [0, 1]. What is P⁻Hᵀ, and what is H P⁻Hᵀ + R?",
+        "P⁻Hᵀ is the second column of P⁻, [6, 4], and the variance of the innovation is 4 + 1 = 5. Which entry of K belongs to the position?",
+        "K₁ = 6/5 m per m/s, and the innovation is 13 − 10 = 3 m/s.",
+    ],
+    wrong=CORRECTION["speedometer"],
+    unit="m",
+    then="A speedometer has corrected a position, through the corner of P⁻. The variance of the position falls from 20 to 20 − 6/5 · 6 = 12.8 m².",
+)
+def speedometer():
+    """The new position, when a speedometer reads 13 m/s: x̂⁻ = [60, 10], P⁻ = [[20, 6], [6, 4]], R = 1."""
+    before, P, H = np.array([60.0, 10.0]), np.array([[20.0, 6.0], [6.0, 4.0]]), np.array([[0.0, 1.0]])
+    K = P @ H.T @ np.linalg.inv(H @ P @ H.T + 1)
+    return (before + K @ ([13.0] - H @ before))[0]
+
+
+@exercise(
+    hints=[
         "No single mistake does it. `one_step(H2=1, v=1)`, for instance, makes two of them at once.",
-        "60.5 lies half a metre above the prediction of 60. Which gain, times which innovation, is a half?",
+        "60.5 m is half a metre more than the prediction of 60 m. Which gain, times which innovation, is a half?",
         "A gain of 1/2 needs P⁻ = R, so somebody forgot Q; an innovation of 1 needs H x̂⁻ = 61, so the tape is compared with 60 + 1.",
     ],
     wrong={letters: (set(letters), sentence) for letters, sentence in other_letters()},
@@ -83,7 +101,7 @@ def whole_steps(rng, n, m):
 @exercise(
     hints=[
         "Two lines are misprinted: the one of the predicted covariance and the one of the new state. And a term is missing in the first of them.",
-        "Line two is eq (6): move the errors with F on the left and Fᵀ on the right, then add the jolts. In line four x_pred has been moved already.",
+        "Line two is eq (6): F on the left and Fᵀ on the right move the errors, then Q is added. In line four x_pred has been moved already.",
         "P_pred = F @ P @ F.T + Q, and x_new = x_pred + K @ (z - H @ x_pred); the other lines stay.",
     ],
     inputs=in_turn(whole_steps, (1, 1), (2, 1), (3, 2), (2, 2)),

@@ -19,7 +19,7 @@ from kflearn.exercises.engine import exercise
     wrong={
         "the middle one": (
             62,
-            "62 is the middle reading, the median. The mean lets every reading pull, so 66 draws it further up.",
+            "62 is the middle reading, the median. The mean uses the size of every reading, so the 66 makes it larger than the median.",
         ),
         "the sum": (189, "189 is the sum of the readings; divide it by how many there are."),
         "divided by two": (94.5, "You divided by 2. There are three readings."),
@@ -42,17 +42,17 @@ def three_readings():
 
 @exercise(
     hints=[
-        "The mean of n readings has the standard deviation σ/√n, here 1/√n metres.",
-        "You need √n ≥ 1/0.1.",
-        "√n must be 10, so n = 100.",
+        "The mean of n readings has the standard deviation σ/√n, here 2/√n metres.",
+        "You need 2/√n = 0.25, so √n = 2/0.25.",
+        "√n must be 8, so n = 8² = 64.",
     ],
     wrong=WRONG["readings_needed"],
     unit="readings",
-    then="For 0.01 m you would need 10,000 readings: one more digit costs a hundred times as many.",
+    then="For 0.025 m you would need 6,400 readings: one more digit costs a hundred times as many.",
 )
 def readings_needed():
-    """How many readings with σ = 1 m bring the σ of their mean down to 0.1 m?"""
-    return (1 / 0.1) ** 2
+    """How many readings with σ = 2 m bring the σ of their mean down to 0.25 m?"""
+    return (2 / 0.25) ** 2
 
 
 def next_readings(rng):
@@ -69,7 +69,7 @@ def next_readings(rng):
     ],
     inputs=next_readings,
     wrong=WRONG["update_mean"],
-    then="The gain 1/n goes to zero: the thousandth reading moves the mean by a thousandth of the surprise. What happens if the length changes after all?",
+    then="The gain 1/n goes to zero: the thousandth reading moves the mean by a thousandth of the surprise. If the length changes after all, the mean hardly follows.",
 )
 def update_mean(mean, n, z):
     """The mean of n readings, from the mean of the first n − 1 and the n-th reading z."""

@@ -27,7 +27,7 @@ def rooms(rng):
     inputs=rooms,
     wrong=WRONG["mended_step"] | SLIPS["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
-    then="With the truth in place of the reading the error looks far smaller than an honest filter's: no real room tells its temperature.",
+    then="With the truth in place of the reading the error looks far smaller than it would in a real room, where nobody knows the truth.",
 )
 def mended_step(x, P, room, reading, Q, R):
     """One step of the random walk's filter: the estimate and its standard deviation. `room` is the truth."""
@@ -46,13 +46,13 @@ def days(rng, count):
 
 @exercise(
     hints=[
-        "What is the variance of a single reading, before anything else is known? And which readings are still to come?",
+        "Before the second reading, only the first one is known. What variance has an estimate that is a single reading? And which readings are still to come?",
         "Start with the variance of a reading, R. The first reading is used up by the start: the loop runs over `z[1:]`.",
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
     inputs=in_turn(days, 3, 6, 4, 1, 9),
     wrong=WRONG["room_filter"],
-    then="x = 0 and P = 10⁶ with a loop over all readings give nearly the same: a start that vague takes over the first reading, with P = R.",
+    then="A start at x = 0 with P = 10⁶ and a loop over all readings would give nearly the same: from so vague a start, the first correction makes x the first reading and P nearly R.",
 )
 def room_filter(z, Q, R):
     """The random walk's filter over the series z, started at its first reading: the last estimate and its variance."""
@@ -67,17 +67,17 @@ def room_filter(z, Q, R):
 
 @exercise(
     hints=[
-        "Two clues: the innovations lie on one side, and there are more surprises than promised. Which suspects explain the first?",
+        "There are two clues: the innovations are on one side of zero, and the NIS is above 1. Which of the four answers explains the first clue?",
         of_choice(
             {
-                "g too small": "You have found the culprit. Now the direction: where does a filter with too small a g expect the stone?",
+                "g too small": "It is g. Now find the direction: where does a filter with too small a g expect the stone, too high or too low?",
                 "r too small": "That explains the NIS. Does it also explain that the innovations are all on one side?",
-                "r too large": "Does R too large make surprises larger or smaller than promised? And which suspect pushes to one side?",
+                "r too large": "Does too large an R make the NIS larger or smaller than 1? And which of the four pushes the innovations to one side?",
             },
-            "Take the suspects one by one: what does each do to the average innovation, and what to the NIS?",
+            "Take the four answers one by one: what does each do to the mean innovation, and what to the NIS?",
         ),
         "A wrong R leaves the innovations even on both sides. So it is g. Where does the filter expect the stone: too high or too low?",
-        "Innovation = reading − expected. It is positive, so the filter expects the stone too low: it lets it fall too fast.",
+        "The innovation is the reading minus the expected height. It is positive, so the filter expects the stone too low: in the filter it falls too fast.",
     ],
     wrong={
         "g too small": (
@@ -93,8 +93,8 @@ def room_filter(z, Q, R):
             "With R too large the NIS would lie below 1, and the innovations would average zero.",
         ),
     },
-    then="A wrong R leaves innovations even on both sides. Only a wrong g pushes them all to one, and since too large a g lets "
-    "the expected stone fall too fast, the readings lie above: plus.",
+    then="With a wrong R the innovations are on both sides of zero. Only a wrong g pushes them to one side. With too large a g "
+    "the expected stone falls too fast, so the readings are above it and the innovations are positive.",
 )
 def suspect():
     """Innovations of +1.5 m on average in the last second, NIS 1.7: what is the filter of a falling stone told wrongly?"""
@@ -108,7 +108,7 @@ def draws(rng, steps):
 
 @exercise(
     hints=[
-        "Column k of the array is the noise of step k: how many numbers should it have?",
+        "Column k of the array is the noise of step k. How many numbers should it have?",
         "Stretch the first row by the root of Q₁₁ and the second by the root of Q₂₂; leave the array (2, N).",
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
@@ -133,14 +133,14 @@ def published_falls(rng, T):
 
 @exercise(
     hints=[
-        "Three faults: which moments count, what the filter is compared with, and which entry of P is the velocity's.",
-        "`above = x[:, 0] > 0` chooses the moments, as in `mean[above, 0]`. The velocity is state 1; the ± of a number is a root.",
+        "There are three faults: which moments count, what the filter is compared with, and which entry of P belongs to the velocity.",
+        "`above = x[:, 0] > 0` chooses the moments, as in `mean[above, 0]`. The velocity is state 1, and σ is the root of a variance.",
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
     inputs=in_turn(published_falls, 6, 8, 7, 10),
     wrong=_falling_report.WRONG["honest_report"],
     fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
-    then="Always print what ignoring gives beside the filter's error: it is the line that the published report leaves out.",
+    then="Always print the error of ignoring all readings beside that of the filter. The published report leaves it out.",
 )
 def honest_report(x, z, mean, ignored, cov):
     """Errors (rms, m) of the height while it is truly above 0: filter's, and when all readings are ignored; then σ of the velocity at the last such moment."""

@@ -34,7 +34,7 @@ def speeds(rng):
     ],
     inputs=speeds,
     wrong=WRONG["start_variance"],
-    then="Where the filter starts in the middle of the range, only (high − low)²/12 is left: five, give or take 2.9, for 0 to 10 m/s.",
+    then="If the filter starts in the middle of the range, only (high − low)²/12 is left. For 0 to 10 m/s this is a speed of 5 m/s with σ = 2.9 m/s.",
 )
 def start_variance(low, high, believed):
     """The honest P₂₂ when the speed lies between two limits, all equally likely, and the filter starts at `believed`."""
@@ -63,7 +63,7 @@ def positions(rng, count):
     ],
     inputs=in_turn(positions, 6, 9, 7, 14),
     wrong=WRONG["running_average"],
-    then="All readings in between cancel, so five differences together scatter by a fifth of one, not by 1/√5 of it.",
+    then="All readings in between cancel, so the average of five differences has a fifth of the error of one, not 1/√5 of it.",
 )
 def running_average(z, dt):
     """The average of the last five differences at each reading, in units per second; NaN where five do not exist."""
@@ -86,7 +86,7 @@ def fix_errors(rng, count):
     ],
     inputs=in_turn(fix_errors, 3, 12, 5, 2),
     wrong=WRONG["report"],
-    then="The two need each other: a large mean says that something is biased, and no filter with zero-mean R will remove it.",
+    then="You need both numbers. A large mean error says that the receiver is biased, and a filter that assumes errors of mean zero does not remove a bias.",
 )
 def report(errors):
     """The mean error (east, north) and the root mean square distance of the errors (T, 2) of fixes."""
@@ -95,7 +95,7 @@ def report(errors):
 
 @exercise(
     hints=[
-        "For σ = 10 m on each axis the lesson printed all four numbers. Which of them is the one of this data sheet?",
+        "For σ = 10 m on each axis the lesson printed four numbers. Which of them is the radius that holds half of the fixes?",
         "Half of the fixes lay within 11.8 m where σ was 10 m. All distances grow in proportion to σ.",
         "σ = 6 m / 1.177, and R is its square.",
     ],
@@ -186,7 +186,7 @@ def two_fixes(rng):
     ],
     inputs=two_fixes,
     wrong=_two_fixes.WRONG["two_point_start"],
-    then="Half the dt makes the speed's σ twice as large. For a slow ship, two fixes far apart make the better start, until Q counts.",
+    then="Half the dt makes the σ of the speed twice as large. So two fixes further apart make the better start, as long as Q may be left out.",
 )
 def two_point_start(z0, z1, dt, R):
     """Mean and covariance of (position, speed) after two fixes, dt apart, each with variance R."""
@@ -196,7 +196,7 @@ def two_point_start(z0, z1, dt, R):
 
 @judged(
     hints=[
-        "Answer the six headings first: state, F, Q, H, R and the start. Which of them change with dt, sd and sigma?",
+        "Fill in the six headings first: state, F, Q, H, R and the start. Which of them change with dt, sd and sigma?",
         "In one step the acceleration a moves the position by a·dt²/2 and the speed by a·dt. Q is the covariance of these two.",
         "Where `z[k]` is NaN, predict and do not correct: `np.isfinite(reading)` tells. Start with position z[0], variance sigma², "
         "and speed 0, variance 9.",
@@ -250,7 +250,7 @@ def two_point_start(z0, z1, dt, R):
     form=track(2),
     passing=PASSING,
     failing=FAILING,
-    then="The gaps cost most just before they end. `rts_smoother`, in lesson 23, uses the readings behind a gap as well.",
+    then="The error is largest just before a gap ends. `rts_smoother`, in lesson 23, uses the readings behind a gap as well.",
 )
 def cart_with_gaps(z, dt, sd, sigma):
     """Write a filter `(z, dt, sd, sigma) → mean, covariance` for a cart whose readings fail for a while.

@@ -176,7 +176,7 @@ def singer_matrix(dt, rate) -> np.ndarray:
 def cart(dt, mass, Q, R) -> LinearModel:
     """Newton's cart, eqs (1)–(4): position and velocity on a line, pushed by a force; the position is measured.
 
-    s_k = s + v dt + F/(2m) dt², v_k = v + F/m dt.
+    p_k = p + v dt + F/(2m) dt², v_k = v + F/m dt.
 
     Parameters
     ----------

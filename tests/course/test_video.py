@@ -120,3 +120,12 @@ def test_own_film(tmp_path, film):
     assert frames.shape == (20, 240, 320, 3)
     found = video.detect(frames, frames[:6].mean(axis=0), threshold=25)
     assert np.nanmax(abs(found.centre - film.truth[:20, :2])[8:15]) < 1.5
+
+
+def test_a_throw_is_hidden_between_two_bounces():
+    truth, centre = video.throw(rng=1)
+    assert truth.shape == (16, 4)
+    np.testing.assert_array_equal(np.flatnonzero(np.isnan(centre[:, 0])), [13, 14, 15])
+    np.testing.assert_allclose(np.diff(truth[12:, 3]), video.GRAVITY)
+    assert np.nanmax(abs(centre - truth[:, :2])) < 0.5
+    np.testing.assert_array_equal(video.throw(rng=1)[1], centre)

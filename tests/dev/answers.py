@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 
 LESSON = {path.name[:2]: path for path in lessons()}
 ASKED = {
-    "04": ["third_opinion", "fuse", "readings_needed", "published_claim"],
+    "04": ["third_opinion", "fuse", "readings_needed", "published_claim", "common_cause"],
     "05": ["second_gain", "steady_gain", "is_unknown", "auto_start", "best_error", "whole_filter"],
 }
 

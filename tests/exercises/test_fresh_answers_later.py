@@ -60,7 +60,7 @@ ANSWERS = [
     ("adaptive.matrix_R", lambda y, H, P: y @ y.T / len(y) - H @ P @ H.T, "wrong", "`y.T @ y`"),
     ("your_data.clock", lambda t, z: np.round(np.diff(t[~np.isnan(z)]), 1), "wrong", "rounded"),
     ("your_data.milliseconds_for_seconds", 1e-8, "wrong", "1000³ is 10⁹"),
-    ("linearised_and_extended.mended_prediction", lambda x, P, u: (x, P * u), "wrong", ""),
+    ("extended.mended_prediction", lambda x, P, u: (x, P * u), "wrong", ""),
     ("bearings_only.mended_bearing", quarter_turns, "wrong", "Without `abs`"),
     ("smoothing.step_back", no_Q_in_the_gain, "wrong", "Your gain is F⁻¹"),
     ("smoothing.one_step_back", (6, 1), "wrong", "You took G = 1"),

@@ -65,7 +65,7 @@ def mis(x, P, z, F, H, Q, R):
 
 RIGHT = {
     "start_here.three_readings": [63, 63.0, np.mean([61, 62, 66]), Fraction(63)],
-    "start_here.readings_needed": [100, 100.0, 1 / 0.1**2, np.float64(100)],
+    "start_here.readings_needed": [64, 64.0, (2 / 0.25) ** 2, np.float64(64)],
     "start_here.update_mean": [
         lambda m, n, z: ((n - 1) * m + z) / n,
         lambda a, b, c: (1 - 1 / b) * a + c / b,
@@ -77,8 +77,8 @@ RIGHT = {
         lambda e: math.sqrt(sum(v * v for v in e) / len(e)),
         lambda e: (e @ e / e.size) ** 0.5,
     ],
-    "history.dates": [[1, 5], "1 and 5", "1, 5", {1, 5}, (5, 1), np.array([1, 5])],
-    "history.newest_ten": [0.917, 0.9174, 1 - (1 - K) ** 10, sum(K * (1 - K) ** j for j in range(10))],
+    "history.undisturbed": [{"A", "D"}, "AD", "A and D", ["D", "A"], "a, d"],
+    "history.newest_ten": [0.803, 0.8031, 1 - 0.85**10, sum(0.15 * 0.85**j for j in range(10))],
     "history.exponential_weights": [
         loopw,
         lambda K, n: [K * (1 - K) ** j for j in range(n - 1)] + [(1 - K) ** (n - 1)],
@@ -89,8 +89,8 @@ RIGHT = {
         lambda z, K: sum(K * (1 - K) ** (len(z) - 1 - i) * v for i, v in enumerate(z)) / (1 - (1 - K) ** len(z)),
     ],
     "newton_to_state_space.motion": [
-        lambda dt, m: ([[1, dt], [0, 1]], [[dt * dt / 2 / m], [dt / m]]),
-        lambda T, M: [np.array([[1, T], [0, 1]]), np.array([[T**2 / (2 * M)], [T / M]])],
+        lambda dt, m, c: ([[1, dt - c * dt * dt / 2 / m], [0, 1 - c * dt / m]], [[dt * dt / 2 / m], [dt / m]]),
+        lambda T, M, c: ([[1, T - c * T**2 / M / 2], [0, 1 - c * T / M]], np.array([[T / 2], [1]]) * T / M),
     ],
     "newton_to_state_space.three_sensors": [[[1, 0], [100, 0], [0, 3.6]], np.array([[1, 0], [100, 0], [0, 3.6]])],
     "newton_to_state_space.impossible": ["ACE", "A, C and E", {"A", "C", "E"}, ["A", "C", "E"], "a c e"],
@@ -113,14 +113,15 @@ RIGHT = {
     ],
     "predict_correct.printed_position": ["ABC", "A, B and C", {"A", "B", "C"}, ["a", "b", "c"], "A,B,C"],
     "predict_correct.misprints": [mis],
-    "gaussian_fusion.third_opinion": [61.9, 61.897, 61.8966, 61.6667 + 0.1724 * 1.3333, 61.6667 + 0.172 * 1.3333],
+    "gaussian_fusion.third_opinion": [62.4, 62.41, 62.414, 61.6667 + 0.1724 * 4.3333, 61.6667 + 0.172 * 4.3333],
     "gaussian_fusion.fuse": [
         lambda a, p, b, q: ((a * q + b * p) / (p + q), 1 / (1 / p + 1 / q)),
         lambda a, p, b, q: [(a / p + b / q) / (1 / p + 1 / q), p * q / (p + q)],
         lambda a, p, b, q: np.array([(a * q + b * p) / (p + q), p * q / (p + q)]),
     ],
     "gaussian_fusion.readings_needed": [11, 11.0, math.ceil(1 / 0.09 - 0.2)],
-    "gaussian_fusion.published_claim": [lambda a, p, b, q: (a + p / (p + q) * (b - a), p * (1 - p / (p + q)))],
+    "gaussian_fusion.published_claim": [lambda p, q: (p / q, p / (p + q), 1 + p / q)],
+    "gaussian_fusion.common_cause": [lambda P, R, c: 1 - (R - c) / (P + R - 2 * c)],
     "voltmeter.second_gain": [2 / 3, 0.667, 0.6667, 8 / 12, Fraction(2, 3)],
     "voltmeter.steady_gain": [
         lambda Q, R: (math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R) / 2,

@@ -1,0 +1,95 @@
+"""Wrong answers to two exercises of lesson 13: the widest belief, and a radar's readings put into the plane."""
+
+import math
+
+import numpy as np
+
+WRONG = {
+    "not rooted": (1600, "That is σ², in m². The σ of the belief is its root."),
+    "without the 2": (math.sqrt(800), "You left out the 2 below the fraction: the sag is σ²/(2d), not σ²/d."),
+    "without the 2, not rooted": (800, "Two things: the sag is σ²/(2d), not σ²/d, and what you have is σ², not σ."),
+    "variance of the reading": (
+        math.sqrt(3200),
+        "You compared with the variance of a reading, 4 m². The sag is a length, so compare it with the σ of a reading, 2 m.",
+    ),
+    "variance, not rooted": (3200, "You took the variance of a reading, 4 m², and what you have is σ², not σ."),
+    "root of the distance": (20, "20² is 400. But σ² = 2 · 400 m · 2 m: solve σ²/(2 · 400 m) = 2 m for σ once more."),
+    "the reading's σ": (2, "A belief 2 m wide sags by 2²/(2 · 400) m = 5 mm. Solve σ²/(2 · 400 m) = 2 m for σ."),
+    "the cart's distance": (
+        math.sqrt(2 * 20 * 2),
+        "You took the 20 m of the cart on the rail. Here the station is 400 m away.",
+    ),
+    "2 above": (math.sqrt(400 * 2 / 4), "The 2 belongs below the fraction: σ² = 2 · d · 2 m."),
+}
+
+
+def turned(r, angle, sd_r, sd_angle, near=1.0, sign=-1.0):
+    """The covariance in the plane, with places for mistakes; `near` in place of the distance where it is given."""
+    far = r * near
+    J = np.array([[np.cos(angle), sign * far * np.sin(angle)], [np.sin(angle), far * np.cos(angle)]])
+    return J @ np.diag([sd_r**2, sd_angle**2]) @ J.T
+
+
+def slopes(r, angle):
+    """The Jacobian."""
+    return np.array([[np.cos(angle), -r * np.sin(angle)], [np.sin(angle), r * np.cos(angle)]])
+
+
+POLAR = {
+    "standard deviations": (
+        lambda r, angle, sd_r, sd_angle: slopes(r, angle) @ np.diag([sd_r, sd_angle]) @ slopes(r, angle).T,
+        "A covariance holds variances: square `sd_r` and `sd_angle`.",
+    ),
+    "without the distance": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r, sd_angle, near=1 / r),
+        "An error of the bearing moves the target across the line of sight by r times that error: the second column of the Jacobian needs r.",
+    ),
+    "sign": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r, sd_angle, sign=1.0),
+        "One sign: the slope of r cos θ along θ is −r sin θ.",
+    ),
+    "J turned on its side": (
+        lambda r, angle, sd_r, sd_angle: slopes(r, angle).T @ np.diag([sd_r**2, sd_angle**2]) @ slopes(r, angle),
+        "You took Jᵀ R J. The errors in the plane are J times the errors of the reading, so the covariance is J R Jᵀ.",
+    ),
+    "J once": (
+        lambda r, angle, sd_r, sd_angle: slopes(r, angle) @ np.diag([sd_r**2, sd_angle**2]),
+        "The Jacobian stands on both sides: J R Jᵀ. Your matrix is not even symmetric.",
+    ),
+    "J twice": (
+        lambda r, angle, sd_r, sd_angle: slopes(r, angle) @ np.diag([sd_r**2, sd_angle**2]) @ slopes(r, angle),
+        "The second J must be transposed: J R Jᵀ.",
+    ),
+    "R as it was": (
+        lambda r, angle, sd_r, sd_angle: np.diag([sd_r**2, sd_angle**2]),
+        "That is the covariance of distance and bearing. Turn it into the plane: J R Jᵀ.",
+    ),
+    "diagonal only": (
+        lambda r, angle, sd_r, sd_angle: np.diag(np.diag(turned(r, angle, sd_r, sd_angle))),
+        "The two variances are right. But the errors of east and north are correlated: keep the entries off the diagonal.",
+    ),
+    "north first": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r, sd_angle)[::-1, ::-1],
+        "East and north have changed places. East is r cos θ and comes first.",
+    ),
+    "the Jacobian": (
+        lambda r, angle, sd_r, sd_angle: slopes(r, angle),
+        "That is the Jacobian J. The covariance is J R Jᵀ.",
+    ),
+    "bearing's error only": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, 0, sd_angle),
+        "The error of the distance is missing: `sd_r` does not come in.",
+    ),
+    "distance's error only": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r, 0),
+        "The error of the bearing is missing: `sd_angle` does not come in.",
+    ),
+    "across for along": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, r * sd_angle, sd_r / r),
+        "Along and across have changed places: σ of the distance acts along the line of sight, r times σ of the bearing across it.",
+    ),
+    "roots": (
+        lambda r, angle, sd_r, sd_angle: np.sqrt(np.diag(turned(r, angle, sd_r, sd_angle))),
+        "Those are the two standard deviations. The whole covariance matrix is wanted, 2 × 2.",
+    ),
+}

@@ -1,0 +1,48 @@
+"""Wrong means and standard deviations of a belief with two humps (lesson 14), each with the sentence that it gets."""
+
+import math
+
+WRONG = {
+    "one hump": ((11, 1), "That is the likelier hump alone. The belief has both: weigh 11 by 0.7 and −11 by 0.3."),
+    "half and half": (
+        (0, math.sqrt(122)),
+        "You weighed the humps equally. One has the probability 0.7, the other 0.3.",
+    ),
+    "width of a hump": (
+        (4.4, 1),
+        "The mean is right. The standard deviation of the whole belief counts the distance of both humps from 4.4 as well.",
+    ),
+    "within left out": (
+        (4.4, math.sqrt(101.64)),
+        "The mean is right. In the variance the width of each hump is missing: add 1².",
+    ),
+    "variance": ((4.4, 102.64), "The mean is right. 102.64 is the variance; the standard deviation is its root."),
+    "about zero": (
+        (4.4, math.sqrt(122)),
+        "The mean is right. You took the mean square, about zero; the variance is about the mean, so 4.4² comes off.",
+    ),
+    "σ added": (
+        (4.4, math.sqrt(101.64) + 1),
+        "The mean is right. You added standard deviations; within and between the humps the variances add.",
+    ),
+    "weights exchanged": (
+        (-4.4, math.sqrt(102.64)),
+        "The hump at +11 has the larger probability: the mean is above 0.",
+    ),
+    "mean of the sizes": (
+        (11, math.sqrt(102.64)),
+        "The standard deviation is right. The mean is 0.7 · 11 + 0.3 · (−11): the sign counts.",
+    ),
+    "fused": (
+        (0, math.sqrt(0.5)),
+        "You fused the humps as if they were two readings of one state. The state is at one of them; which one is not known.",
+    ),
+    "fused by weight": (
+        (4.4, math.sqrt(0.5)),
+        "The mean is right. A fusion makes the belief narrower; not knowing which hump holds the state makes it wider.",
+    ),
+    "equal variances": (
+        (4.4, math.sqrt(122 - 4.4)),
+        "The mean is right. From the mean square 122 the *square* of the mean comes off, 4.4².",
+    ),
+}
