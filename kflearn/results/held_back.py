@@ -57,7 +57,7 @@ def _coverage(what, hidden):
 
 
 def _rivals(z, rows):
-    """What the last reading, the mean so far and the line through the last two readings say of hidden rows (rows, m)."""
+    """What the last reading, the mean so far and the line through the last two say of hidden rows (rows, m)."""
     guesses = {"last reading": [], "mean so far": [], "line through two": []}
     for k in rows:
         seen = [z[:k, j][~np.isnan(z[:k, j]) & (np.arange(k) % 5 != 4)] for j in range(z.shape[1])]

@@ -4,6 +4,7 @@ An honest filter fails the card in about one recording in twenty: the bands are 
 (Šidák), and they know that R was estimated from the readings at rest.
 """
 
+import textwrap
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,12 +20,14 @@ FEWEST = 20  # readings that a test needs
 ERROR = 0.05  # how often an honest filter fails one test or more
 MARKS = {True: "✓", False: "✗", None: "–"}
 ADVICE = {
-    "size": "above: Q or R too small, or outliers; below: Q or R too large (the table of lesson 7)",
-    "mean": "a push in one direction that F and u do not know, or a sensor with an offset",
-    "neighbours": "alike: Q too small against R, or the sensor's error has a memory (a state of its own, lesson 21); opposed: Q too large",
-    "share": "more than one reading in ten refused: R too small, or a model that does not fit",
-    "run": "a gate that refuses for long has locked the filter out: a larger Q, or a new start after some refusals",
-    "coverage": "±2σ of the forecasts is too narrow or too wide: Q, then R",
+    "size": "above: Q or R is too small, or there are outliers; below: Q or R is too large (the table of lesson 7)",
+    "mean": "something pushes in one direction that F and u do not know, or the sensor has an offset",
+    "neighbours": "above: Q is too small beside R, or the sensor's error has a memory and needs a state of its own "
+    "(lesson 21); below: Q is too large",
+    "share": "more than one reading in ten was refused: R is too small, or the model does not fit",
+    "run": "the gate refused for long, so it may have locked the filter out: try a larger Q, or a new start after some "
+    "refusals",
+    "coverage": "±2σ of the forecasts is too narrow or too wide: look at Q first, then at R",
     "rival": "the simple forecast is better: the model predicts what does not happen",
 }
 
@@ -71,7 +74,7 @@ class ReportCard:
     def __str__(self):
         told = [f"  {'':32} {'found':>9}   wanted", *map(str, self.tests)]
         failed = [test for test in self.tests if test.passed is False]
-        advice = [f"  {kind}: {ADVICE[kind]}" for kind in dict.fromkeys(test.kind for test in failed)]
+        advice = [fill(f"{kind}: {ADVICE[kind]}") for kind in dict.fromkeys(test.kind for test in failed)]
         verdict = "can be defended" if self.passed else "not yet" if failed else "too few readings to say"
         return "\n".join([*told, f"verdict: {verdict}", *advice])
 
@@ -186,10 +189,10 @@ def _share_of_R(model, track):
 def _innovations(name, y, share, doubt, level):
     """Size, mean and neighbours of a column's innovations, in their own standard deviations.
 
-    `doubt` is the relative variance of an R estimated from so few readings at rest, `share` is that of R in S. Where R is
-    off, S is off by share + ¾ (1 − share) of that, for P⁻ of a constant velocity goes with R^¾; the size then has an F
-    distribution, nearly. And the gain is off, so that neighbours are correlated by share (1 − share)/(1 + share) for each
-    unit of ln R, as for a random walk.
+    `doubt` is the relative variance of an R estimated from so few readings at rest, `share` is that of R in S. Where
+    R is off, S is off by share + ¾ (1 − share) of that, for P⁻ of a constant velocity goes with R^¾; the size then
+    has an F distribution, nearly. And the gain is off, so that neighbours are correlated by share (1 − share)/(1 +
+    share) for each unit of ln R, as for a random walk.
     """
     N, z, moved = len(y), stats.norm.isf(level / 2), doubt * (share + 0.75 * (1 - share)) ** 2
     if N < FEWEST:
@@ -214,6 +217,11 @@ def _forecast(one, level):
     if one.rival:
         low, high = stats.binom.ppf(level, max(one.count, 1), one.honest) / max(one.count, 1), np.inf
     return CardTest(one.what, "rival" if one.rival else "coverage", one.share, float(low), float(high), one.count)
+
+
+def fill(advice):
+    """Advice in lines that fit below the card."""
+    return textwrap.fill(advice, 76, initial_indent="  ", subsequent_indent="    ")
 
 
 def _mean(values):
