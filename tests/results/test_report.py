@@ -1,4 +1,4 @@
-"""The report card: how often it convicts an honest filter, how surely a wrong one, and what it asks of its arguments."""
+"""The report card: how often it convicts an honest filter and how surely a wrong one, and what it asks for."""
 
 import numpy as np
 import pytest
@@ -45,9 +45,9 @@ def ride(rng, memory=0.0, push=0.0):
 
 
 def card_of(z, q=TRUE_Q, R=None):
-    """The card of a constant velocity with this q; R is taken from the rest, as in lesson 24."""
-    rest = np.arange(T) < STILL
-    R = np.var(z[rest], ddof=1) if R is None else R
+    """The card of a constant velocity with this q; R is taken from the rest, as in lesson 24, or from elsewhere."""
+    rest = np.arange(T) < (STILL if R is None else 0)
+    R = np.var(z[:STILL], ddof=1) if R is None else R
     model = LinearModel(F, H, q * UNIT_Q, R)
 
     def follow(z):
