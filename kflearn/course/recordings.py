@@ -2,8 +2,9 @@
 
 The first line that is neither empty nor a comment (#) names the columns, with units in brackets: `height [m]` or
 `height (m)`. Each other line is one row. Between columns stand semicolons, tabs or commas; with the first two, decimals
-may have a comma. Time stamps are numbers with a unit, `t [ms]`, or dates as in ISO 8601, and they increase. An empty
-field, NaN, NA, N/A, null or None is a gap. Nothing is guessed that could change a number, and nothing in a file is ever
+may have a comma. Time stamps are numbers with a unit, `t [ms]`, or dates as in ISO 8601, and they increase; local
+times without a zone are refused where they leave out the hour that the clocks leave out in March. An empty field,
+NaN, NA, N/A, null or None is a gap. Nothing is guessed that could change a number, and nothing in a file is ever
 evaluated: whatever else is found is a RecordingError, which says so with the number of the line.
 
 Examples
@@ -210,6 +211,7 @@ def parse(text, time=None, columns=None, time_unit=None) -> Recording:
     number = table.Numbers(separator)
     unit = units[clock] if time_unit is None or str(time_unit) == "" else time_unit
     seconds, start = table.times_of(rows, clock, names[clock], unit, top, number, faults)
+    chosen = table.without_words(chosen, rows, names, top, faults) or chosen
     values = np.array([[number.reading(n, names[j], fields[j], faults) for j in chosen] for n, fields in rows])
     if not faults:
         silent = [names[chosen[i]] for i in np.flatnonzero(np.isnan(values).all(axis=0))]

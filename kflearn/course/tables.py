@@ -7,7 +7,9 @@ import csv
 import io
 import math
 import re
-from datetime import datetime
+import statistics
+from datetime import datetime, timedelta
+from itertools import pairwise
 
 SECONDS = {"ns": 1e-9, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "ms": 1e-3, "s": 1, "sec": 1, "seconds": 1}
 SECONDS |= {"min": 60, "minutes": 60, "h": 3600, "hours": 3600, "d": 86400, "days": 86400}
@@ -135,6 +137,25 @@ def columns_of(columns, names, clock, top) -> list[int]:
     return chosen
 
 
+def without_words(chosen, rows, names, top, faults) -> list[int]:
+    """The columns that are no words; a column in which no field holds a digit is one fault, not one a row."""
+    words = []
+    for j in chosen:
+        written = [fields[j] for _, fields in rows if fields[j].lower() not in GAPS]
+        if written and not any(mark.isdigit() for field in written for mark in field):
+            words.append(j)
+    others = short(", ".join(names[j] for j in chosen if j not in words), 40)
+    for j in words:
+        such = f"holds words, such as {short(written_in(j, rows))}"
+        faults.append((top, f"column {short(names[j])} {such}: name the others in columns=[…], {others}"))
+    return [j for j in chosen if j not in words]
+
+
+def written_in(j, rows) -> str:
+    """The first field of a column that is no gap."""
+    return next(fields[j] for _, fields in rows if fields[j].lower() not in GAPS)
+
+
 # ---- time stamps and numbers
 
 
@@ -145,20 +166,60 @@ def times_of(rows, clock, name, unit, top, number, faults) -> tuple[list[float],
     if scale is None:
         reason = f"{short(unit)} is not one of ns, us, ms, s, min, h, d" if str(unit) else "write [s] or [ms] behind it"
         raise RecordingError((top, f"column {short(name)} needs the unit of its time stamps: {reason}"))
-    seconds, first, before = [], None, None
+    seconds, stamps, places, first, before = [], [], [], None, None
     for n, fields in rows:
         text = fields[clock]
         try:
             stamp = number(text) if numeric else _dated(text)
             now = _apart(stamp, stamp if first is None else first, scale)
             if before and now <= seconds[-1]:
-                raise ValueError(f"{'repeats' if now == seconds[-1] else 'lies before'} that of line {before}")
+                order = "repeats" if now == seconds[-1] else "lies before"
+                raise ValueError(f"{order} that of line {before}{f': {CLOCKS}' if _put_back(stamp) else ''}")
         except ValueError as error:
             faults.append((n, f"the time stamp {short(text, 32)} {error}" if text else "the time stamp is missing"))
             continue
         seconds.append(now)
+        stamps.append(stamp)
         first, before = stamp if first is None else first, n
+        places.append(n)
+    faults += [
+        (places[k], f"the time stamp {stamps[k]} comes an hour late: {CLOCKS}") for k in put_forward(stamps, seconds)
+    ]
     return seconds, first
+
+
+CLOCKS = "did the clocks change here? write stamps with a zone"
+
+
+def put_forward(stamps, seconds) -> list[int]:
+    """The rows before which local clocks seem to have been put forward: stamps that leave out the hour from 1, 2 or 3.
+
+    On the last Sunday of March (Europe) or its second (North America), where a step is an hour longer than the median
+    step. Stamps with a zone say themselves what the clocks did.
+    """
+    if len(stamps) < 3 or not isinstance(stamps[0], datetime) or stamps[0].tzinfo:
+        return []
+    steps = [b - a for a, b in pairwise(seconds)]
+    usual = statistics.median(steps)
+    near = min(2.5 * usual, 1800)
+    late = [k + 1 for k, dt in enumerate(steps) if dt > 3600 and abs(dt - 3600 - usual) <= near]
+    return [k for k in late if _night_in_march(stamps[k]) and _leaves_out_an_hour(stamps[k - 1], stamps[k])]
+
+
+def _night_in_march(stamp):
+    return stamp.month == 3 and stamp.weekday() == 6 and (stamp.day >= 25 or 8 <= stamp.day <= 14)
+
+
+def _leaves_out_an_hour(before, after):
+    hours = [after.replace(hour=hour, minute=0, second=0, microsecond=0) for hour in (1, 2, 3)]
+    return any(before < hour and after >= hour + timedelta(hours=1) for hour in hours)
+
+
+def _put_back(stamp):
+    """Is that a Sunday on which local clocks are put back, the last of October or the first of November?"""
+    if not isinstance(stamp, datetime) or stamp.tzinfo or stamp.weekday() != 6:
+        return False
+    return (stamp.month == 10 and stamp.day >= 25) or (stamp.month == 11 and stamp.day <= 7)
 
 
 def _dated(text):

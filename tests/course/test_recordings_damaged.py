@@ -63,6 +63,9 @@ DAMAGE = {
     "other dates": ("t;x\n2026-05-03;1\n4.5.2026;2\n2026-05-05;2\n", {}, 3, "'4.5.2026' is no date as in ISO 8601"),
     "zone lost": ("t;x\n2026-05-03T00:00Z;1\n2026-05-03T01:00;2\n2026-05-03T02:00Z;3\n", {}, 3, "has a time zone"),
     "clock put back": ("t;x\n2026-10-25T02:59:59;1\n2026-10-25T02:00:00;2\n", {}, 3, "lies before that of line 2"),
+    "clock put back, Europe": ("t;x\n2026-10-25T02:59:59;1\n2026-10-25T02:00:00;2\n", {}, 3, "did the clocks change"),
+    "clock put back, America": ("t;x\n2026-11-01T01:59:59;1\n2026-11-01T01:00:00;2\n", {}, 3, "did the clocks change"),
+    "words": ("t [s],x,from\n0,1,gps\n1,2,\n2,3,gps\n", {}, 1, "'from' holds words, such as 'gps': name the others"),
     "silent": ("t [s],x,y\n0,1,\n1,2,NA\n", {}, 1, "column 'y' holds no reading at all"),
 }  # fmt: skip
 
@@ -74,6 +77,39 @@ def test_damage(text, settings, line, words):
     assert words in str(error)
     assert str(error) == error.faults[0] and str(error).startswith(f"line {line}: " if line else "")
     assert len(str(error)) < 160
+
+
+def local(*clocks, day="2026-03-29", zone=""):
+    return "t;x\n" + "".join(f"{day}T{clock}{zone};1\n" for clock in clocks)
+
+
+FORWARD = ("01:30", "01:40", "01:50", "03:00", "03:10")  # every ten minutes, and no hour from two to three
+
+
+@pytest.mark.parametrize("day", ["2026-03-29", "2026-03-08", "2025-03-30", "2025-03-09"])
+def test_clocks_that_were_put_forward(day):
+    error = error_of(local(*FORWARD, day=day))
+    assert error.lines == (5,) and "did the clocks change here? write stamps with a zone" in str(error)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        local(*FORWARD, zone="Z"),
+        local(*FORWARD, day="2026-03-22"),
+        local("01:30", "01:40", "01:50", "02:00", "02:10"),
+        local("01:30", "01:40", "01:50", "04:00", "04:10"),  # a hole of two hours
+        local("11:30", "11:40", "11:50", "13:00", "13:10"),  # by day
+        "t;x\n2026-03-27;1\n2026-03-28;2\n2026-03-29;3\n2026-03-30;4\n",
+    ],
+)
+def test_other_holes_in_march_are_holes(text):
+    assert len(parse(text)) >= 4
+
+
+def test_seconds_and_hours_across_the_change():
+    assert error_of(local("01:59:57", "01:59:58", "01:59:59", "03:00:00")).lines == (5,)
+    assert error_of(local("00:00", "01:00", "03:00", "04:00", "05:00")).lines == (4,)
 
 
 def test_only_dates_of_another_kind():

@@ -120,7 +120,7 @@ def test_the_report_card_expects_what_the_filter_expects():
     card = report_card(z, rest, lambda z: (linear, kalman_filter(linear, z[1:], start)))
     for model in (bent, bent.replace(h=lambda x, u, k: x * H[k, 0])):
         other = report_card(z, rest, lambda z, m=model: (m, extended_kalman_filter(m, z[1:], start, H[:, 0])))
-        close([row[1] for row in other.tests], [row[1] for row in card.tests], 1e-7)
+        close([test.found for test in other.tests], [test.found for test in card.tests], 1e-7)
 
 
 def observer(steps=30):

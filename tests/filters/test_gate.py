@@ -146,8 +146,8 @@ def test_the_report_card_counts_what_the_gate_refused():
         return model, track
 
     card = report_card(z, np.arange(200) < 50, follow)
-    found = {what: number for what, number, *_ in card.tests}
+    found = {test.what: test.found for test in card.tests}
     assert found["refused in a row"] == 10
     assert found["share refused"] == pytest.approx(follow(z[:, None])[1].refused.mean())
     other = report_card(z, np.arange(200) < 50, lambda z: follow(z, leave_out=True))
-    np.testing.assert_allclose([row[1] for row in card.tests], [row[1] for row in other.tests], rtol=1e-9)
+    np.testing.assert_allclose([test.found for test in card.tests], [test.found for test in other.tests], rtol=1e-9)
