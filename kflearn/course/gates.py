@@ -77,12 +77,17 @@ def scalar_filter(z, Q, R, difference=angle_difference) -> np.ndarray:
     >>> print(bearings.scalar_filter([339.0, 8.0, 8.0], 200, 500).round(1) % 360)
     [339.  355.9   1.9]
     """
+    return _random_walk(z, Q, R, difference, lambda score: 1.0)
+
+
+def _random_walk(z, Q, R, difference, weight):
+    """The filter of a random walk; the first reading is its start, and R is divided by the weight of a NIS."""
     series = np.moveaxis(np.asarray(z, float), -1, 0)
     x, P, found = series[0], R, [series[0]]
     for reading in series[1:]:
-        P = P + Q
-        K = P / (P + R)
-        x, P = x + K * difference(reading, x), (1 - K) * P
+        P, y = P + Q, difference(reading, x)
+        K = P / (P + R / weight(y**2 / (P + R)))
+        x, P = x + K * y, (1 - K) * P
         found.append(x)
     return np.stack(found, axis=-1)
 
@@ -139,7 +144,7 @@ def gated_filter(z, Q, R, gate, patience=None, width=180.0) -> Gated:
     >>> from kflearn import bearings
     >>> found = bearings.gated_filter([10.0, 11, 90, 10, 200, 201, 202, 200], 0.2, 2, gate=4, patience=3, width=8)
     >>> print(found.mean.round(1) % 360)
-    [ 10.   10.4  10.4  10.2  10.2  10.2 202.  201. ]
+    [ 10.   10.5  10.5  10.3  10.3  10.3 202.  201. ]
     >>> print(found.refused.astype(int))
     [0 0 1 0 1 1 1 0]
     """
@@ -151,8 +156,8 @@ def gated_filter(z, Q, R, gate, patience=None, width=180.0) -> Gated:
 
 def _gated(z, Q, R, gate, patience, width):
     """One recording; floats, as these loops are long."""
-    x, P, waiting, rows = z[0], R, [], []
-    for reading in z:
+    x, P, waiting, rows = z[0], R, [], [(z[0], 0.0, R, False)]  # the first reading is the start
+    for reading in z[1:]:
         P, y = P + Q, _short(reading - x)
         S = P + R
         refused = y**2 > gate**2 * S
@@ -193,16 +198,9 @@ def robust_filter(z, Q, R, weight) -> np.ndarray:
     --------
     >>> from kflearn import bearings
     >>> print(bearings.robust_filter([10.0, 11, 90, 10], 0.2, 2, lambda score: 5 / (4 + score)).round(1))
-    [10.  10.4 10.5 10.3]
+    [10.  10.6 10.7 10.4]
     """
-    series = np.moveaxis(np.asarray(z, float), -1, 0)
-    x, P, found = series[0], R, []
-    for reading in series:
-        P, y = P + Q, angle_difference(reading, x)
-        K = P / (P + R / weight(y**2 / (P + R)))
-        x, P = x + K * y, (1 - K) * P
-        found.append(x)
-    return np.stack(found, axis=-1)
+    return _random_walk(z, Q, R, angle_difference, weight)
 
 
 def rows_of(flags) -> np.ndarray:
