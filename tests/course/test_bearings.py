@@ -3,7 +3,17 @@
 import numpy as np
 import pytest
 
-from kflearn import angle_difference, circular_mean, extended_kalman_filter, kalman_filter, random_walk, scenarios, wrap
+from kflearn import (
+    Gaussian,
+    angle_difference,
+    bearings,
+    circular_mean,
+    extended_kalman_filter,
+    kalman_filter,
+    random_walk,
+    scenarios,
+    wrap,
+)
 from kflearn.course.bearings import GRID, VARIANTS, _bursts, nearest
 
 RUNS = 60
@@ -145,3 +155,17 @@ def test_angles():
 def test_an_unknown_variant_is_named():
     with pytest.raises(ValueError, match=r"variant must be one of 'calm'.*got 'noisy'"):
         scenarios.bearing("noisy")
+
+
+def test_the_course_filters_are_kalman_filters():
+    """Where no reading is refused and all weights are 1, each is `kalman_filter`; the first reading is not counted again."""
+    z = 200 + np.random.default_rng(6).normal(0, 3, 60).cumsum() * 0.2
+    right = kalman_filter(random_walk(0.2, 2.0), z[1:], Gaussian(z[0], 2.0)).mean[:, 0]
+    found = [
+        bearings.scalar_filter(z, 0.2, 2.0),
+        bearings.robust_filter(z, 0.2, 2.0, np.ones_like),
+        bearings.gated_filter(z, 0.2, 2.0, gate=1e9).mean,
+    ]
+    for each in found:
+        assert each[0] == z[0]
+        np.testing.assert_allclose(each[1:], right, rtol=1e-12)
