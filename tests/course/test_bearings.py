@@ -158,7 +158,7 @@ def test_an_unknown_variant_is_named():
 
 
 def test_the_course_filters_are_kalman_filters():
-    """Where no reading is refused and all weights are 1, each is `kalman_filter`; the first reading is not counted again."""
+    """Where no reading is refused and all weights are 1, each is `kalman_filter`; the first reading counts once."""
     z = 200 + np.random.default_rng(6).normal(0, 3, 60).cumsum() * 0.2
     right = kalman_filter(random_walk(0.2, 2.0), z[1:], Gaussian(z[0], 2.0)).mean[:, 0]
     found = [
