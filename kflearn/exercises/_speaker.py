@@ -110,15 +110,9 @@ def medians(window=31, centred=False):
     return follow
 
 
-def plain(z, Q=200.0, R=500.0):
+def plain(z):
     """The lesson's scalar filter with the published Q and R."""
-    x, P, found = z[0], R, [z[0]]
-    for reading in z[1:]:
-        P = P + Q
-        K = P / (P + R)
-        x, P = x + K * angle_difference(reading, x), (1 - K) * P
-        found.append(x)
-    return np.array(found)
+    return bearings.scalar_filter(z, 200, 500)
 
 
 PASSING = {"gate": gate(), "median of the last 31": medians(), "median of 31, both sides": medians(centred=True)}

@@ -211,15 +211,3 @@ def unknown_sensor(z, F, Q, mean, cov):
         means.append(x)
         covs.append(P)
     return np.array(means), np.array(covs)
-
-
-def alarms(track, since):
-    """Lesson 7's two tests on many recordings of 300 steps after `since`: NIS, and neighbouring innovations.
-
-    Returns the mean NIS, the mean correlation of neighbours, and the shares of recordings in which each is outside
-    what 95 % of honest filters have: (0.846, 1.166) is chi-square with 300 degrees of freedom, divided by 300.
-    """
-    y = (track.innovation.mean / track.innovation.std)[:, since:, 0]
-    nis, pair = np.mean(y**2, axis=1), np.sum(y[:, 1:] * y[:, :-1], axis=1) / np.sum(y**2, axis=1)
-    found = np.mean((nis < 0.846) | (nis > 1.166)), np.mean(abs(pair) > 1.96 / np.sqrt(300))
-    return nis.mean(), pair.mean(), found
