@@ -29,7 +29,7 @@ def alarms(track, since) -> tuple[float, float, tuple[float, float]]:
     >>> track = kalman_filter(model, simulate(model, [0], steps=400, runs=500, rng=1).z, Gaussian(0, 1))
     >>> nis, neighbours, found = alarms(track, since=100)
     >>> print(f"{nis:.2f}, {abs(neighbours):.2f}, found {found[0]:.0%} and {found[1]:.0%}")
-    1.00, 0.00, found 5% and 5%
+    1.00, 0.00, found 4% and 5%
     """
     y = (track.innovation.mean / track.innovation.std)[:, since:, 0]
     steps = y.shape[1]

@@ -9,11 +9,11 @@ FAR = stats.chi2.ppf(0.999, 1)  # a hidden reading beyond is an outlier, which n
 
 
 class Forecast(NamedTuple):
-    """share of `count` hidden readings that were inside ±2σ, or for a rival nearer to the filter; what is honest."""
+    """share of hidden `readings` that were inside ±2σ, or for a rival nearer to the filter; what is honest."""
 
     what: str
     share: float
-    count: int
+    readings: int
     honest: float
     rival: bool
 

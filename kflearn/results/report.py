@@ -213,10 +213,10 @@ def _innovations(name, y, share, doubt, level):
 
 def _forecast(one, level):
     """A forecast's line: a share of hidden readings against what chance allows."""
-    low, high = stats.binom.ppf([level / 2, 1 - level / 2], max(one.count, 1), one.honest) / max(one.count, 1)
+    low, high = stats.binom.ppf([level / 2, 1 - level / 2], max(one.readings, 1), one.honest) / max(one.readings, 1)
     if one.rival:
-        low, high = stats.binom.ppf(level, max(one.count, 1), one.honest) / max(one.count, 1), np.inf
-    return CardTest(one.what, "rival" if one.rival else "coverage", one.share, float(low), float(high), one.count)
+        low, high = stats.binom.ppf(level, max(one.readings, 1), one.honest) / max(one.readings, 1), np.inf
+    return CardTest(one.what, "rival" if one.rival else "coverage", one.share, float(low), float(high), one.readings)
 
 
 def fill(advice):
