@@ -112,7 +112,7 @@ WRONG = {
     "share_inside": {
         "as published": (
             lambda e, P: np.mean(abs(e) <= P),
-            "That is still the published band: it compares metres with square metres. Where P > 1 it is too wide, else too narrow.",
+            "That is still the band ±P: it compares metres with square metres. Where P > 1 it is too wide, else too narrow.",
         ),
         "±2σ": (
             lambda e, P: np.mean(abs(e) <= 2 * np.sqrt(P)),

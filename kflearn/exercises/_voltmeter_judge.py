@@ -128,6 +128,8 @@ def before_gaps(answers, recordings):
         return "Your estimate moves from one missing reading to the next: does a NaN count as a number, such as 0? The estimate has to stay."
     if grows_in_gaps(answers, recordings):
         return "P grows by Q in the gaps, as it should. Look at the x and the P with which a gap begins."
+    if grows_in_gaps([(a[0], np.square(a[1])) for a in map(flat, answers)], recordings):
+        return "What you return grows in the gaps as a standard deviation does: return P itself, not its root."
     return "P has to grow by Q for each reading that is missing: yours does not."
 
 

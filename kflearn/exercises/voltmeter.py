@@ -117,7 +117,7 @@ def auto_start(z, H, R):
         "K": (0.5, "That is K. The question goes on: what error is left?"),
         "filter's claim": (
             1.5723,
-            "That is what the Kalman filter claims with its random walk; without the walk it gets better.",
+            "That is what the Kalman filter claims with its random walk. An answer that knows the 12 V is better.",
         ),
         "filter's error": (
             1.63,
