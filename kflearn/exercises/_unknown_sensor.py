@@ -115,7 +115,7 @@ def as_in_the_lesson(z, F, Q, mean, cov):
     return learn(z, np.array([[1, 0.1], [0, 1]]), 0.04 * np.outer(push, push), mean, cov)
 
 
-SURE = "The claimed σ is too small: does R̂ follow the sensor, and is HP⁻Hᵀ taken off C only once?"
+SURE = "The claimed σ is too small: does R̂ follow the sensor? Is the window long, and HP⁻Hᵀ taken off C only once?"
 MARKS = [
     Mark(
         "error of the position where R became 1 m² (rms)",
