@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy.stats import binom
+from scipy.stats import binom, chi2
 
 from kflearn import (
     Gaussian,
@@ -16,6 +16,7 @@ from kflearn import (
     start_from,
     wrap,
 )
+from kflearn.results import held_back
 
 MODEL, REST = random_walk(0.01, 1.0), np.arange(50) < 20
 Z = np.random.default_rng(0).normal(size=(50, 1))
@@ -205,3 +206,7 @@ def test_a_first_row_with_a_gap():
     z[0] = np.nan
     with pytest.raises(ValueError, match="z must begin with a row without gaps"):
         report_card(z, REST, follow)
+
+
+def test_what_counts_as_an_outlier():
+    assert pytest.approx(chi2.ppf(0.999, 1), abs=5e-4) == held_back.FAR
