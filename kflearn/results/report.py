@@ -1,6 +1,6 @@
 """Is a filter any good on a recording, when nobody knows the truth? Tests that need none, on one card.
 
-An honest filter fails the card in one recording in twenty at most: the bands are made for all statistical tests together
+An honest filter fails the card in one recording in twenty at most: the bands are made for all statistical tests at once
 (Šidák), and they know that R was estimated from the readings at rest. In 500 simulated rides it failed 2 to 3 %.
 """
 
