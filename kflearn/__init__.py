@@ -26,8 +26,9 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
 
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Starts: start_from,
 diffuse_start. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother,
-two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
-with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
+two_filter_smoother, lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em;
+disturbances, which reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse,
+report_card; with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
 singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
 recordings (which raises RecordingError), bearings, homing, navigation, video, plots.
 """
@@ -40,6 +41,8 @@ from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.consider import schmidt_kalman_filter
 from .filters.diffuse import diffuse_start
+from .filters.disturbances import disturbances
+from .filters.forecast import forecast
 from .filters.kalman import (
     cubature_kalman_filter,
     extended_kalman_filter,
@@ -50,12 +53,15 @@ from .filters.kalman import (
 from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
 from .filters.online import OnlineFilter
-from .filters.smoothing import rts_smoother
+from .filters.smoothing import lag_one_covariances, rts_smoother
 from .filters.square_root import square_root_kalman_filter
 from .filters.start import start_from
+from .filters.steady import steady_state
 from .filters.steps import correct, kalman_step, predict
 from .filters.table import Row, settings
 from .filters.two_filter import two_filter_smoother
+from .fitting.em import em
+from .fitting.fit import fit
 from .models.gaussian import Gaussian
 from .models.kinematics import cart, constant_acceleration, constant_velocity, random_walk, singer
 from .models.simulation import simulate
@@ -126,11 +132,16 @@ __all__ = [
     "cubature",
     "cubature_kalman_filter",
     "diffuse_start",
+    "disturbances",
+    "em",
     "extended_kalman_filter",
+    "fit",
+    "forecast",
     "homing",
     "imm_filter",
     "kalman_filter",
     "kalman_step",
+    "lag_one_covariances",
     "linearize",
     "linearized_kalman_filter",
     "mmae_filter",
@@ -151,6 +162,7 @@ __all__ = [
     "singer",
     "square_root_kalman_filter",
     "start_from",
+    "steady_state",
     "two_filter_smoother",
     "unscented",
     "unscented_kalman_filter",

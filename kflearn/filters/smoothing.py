@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from ..core.matrices import compact, congruence, root
+from ..core.matrices import compact, congruence, root, with_batch
 from ..core.recursion import linear_recursion, matvec_each_step
 from ..core.walk import same_root, walk
 from ..models.arguments import check_model, check_stacks
@@ -59,6 +59,46 @@ def rts_smoother(model, track) -> Gaussian:
     gain, left, index = _shared(model, track) or _of_each_step(model, track)
     mean = track.mean + _shifts(track, gain, index)
     return read_only(unchecked_gaussian(mean, _smoothed_covariances(gain, left, index, track.mean.shape[-2])))
+
+
+def lag_one_covariances(model, track) -> np.ndarray:
+    """The covariance of each smoothed state with the one before, Cov(x_k, x_{k−1}) given all readings: P_k G_{k−1}ᵀ.
+
+    Parameters
+    ----------
+    model, track
+        As in rts_smoother, of T steps.
+
+    Returns
+    -------
+    ndarray (..., T − 1, n, n)
+        Entry k is that of the steps k + 1 and k, in products of the states' units.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As rts_smoother.
+
+    References
+    ----------
+    Shumway and Stoffer 1982; de Jong 1989.
+
+    Examples
+    --------
+    >>> from kflearn import Gaussian, kalman_filter, lag_one_covariances, random_walk
+    >>> model = random_walk(1, 1)
+    >>> lag = lag_one_covariances(model, kalman_filter(model, [1.0, 2.0, 3.0], Gaussian(0, 1)))
+    >>> print(f"{lag[0, 0, 0]:.4f}")
+    0.1905
+    """
+    _check_track(model, track)
+    T = track.mean.shape[-2]
+    if T == 1:
+        return np.empty((*track.mean.shape[:-2], 0, model.n, model.n))
+    gain, left, index = _shared(model, track) or _of_each_step(model, track)
+    cov = _smoothed_covariances(gain, left, index, T)
+    gain = gain if index is None else gain[index]
+    return with_batch(cov[..., 1:, :, :] @ gain[..., :-1, :, :].mT, (*track.mean.shape[:-2], T - 1))
 
 
 def _shared(model, track):

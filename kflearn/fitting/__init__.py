@@ -1,0 +1,1 @@
+"""What the data say about a model: likelihood, maximum likelihood with standard errors, EM."""

@@ -1,0 +1,261 @@
+"""Maximum likelihood: the parameters of a model under which the measurements are most probable."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ..core.frozen import Frozen
+from ..filters.diffuse import diffuse_start
+from ..filters.kalman import kalman_filter
+from ..models.arguments import check_series
+from ..models.gaussian import Gaussian
+from ..models.state_space import LinearModel
+from ..results.track import Track
+from .climb import LEAST, Hill, climb
+from .family import Family
+from .many import Start, forward
+
+SAME = 1e-6  # of a log-likelihood: less is no difference
+DECADES = np.log(10) * np.concatenate([[0], np.arange(-12, 13, 2)])  # by which a parameter is moved at first
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Fit(Frozen):
+    """What `fit` found. Of many series every number is an array with their batch axes.
+
+    parameters: the most probable ones, by name. standard_errors: of each, from the curvature of the log-likelihood at
+        its top (the observed information), in the parameter's own unit; NaN for one that is at its boundary.
+    at_boundary: by name, whether the best value of a positive parameter is 0 exactly.
+    log_likelihood: at the top. A diffuse start counts log 2π for all measured numbers but the n that fix the states, as
+        KFAS and R do; `log_likelihood_of_all` counts it for every number.
+    converged: whether the top was reached.
+    model, track: the model with these parameters, and its filter's track; of many series the first one's. After a
+        diffuse start the track begins with the step at which every state is known.
+    """
+
+    parameters: Mapping
+    standard_errors: Mapping
+    at_boundary: Mapping
+    log_likelihood: np.ndarray
+    log_likelihood_of_all: np.ndarray
+    converged: np.ndarray
+    model: LinearModel
+    track: Track
+
+    states_without_start: int
+
+    @property
+    def aic(self):
+        """Akaike's criterion −2 log L + 2 × (parameters + states without a start): the smaller, the better."""
+        return 2 * (len(self.parameters) + self.states_without_start) - 2 * self.log_likelihood
+
+    def __repr__(self):
+        if np.ndim(self.converged):
+            return f"Fit(of {self.converged.size} series; {int(self.converged.sum())} reached the top)"
+        each = (
+            f"{name} = 0, at its boundary"
+            if self.at_boundary[name]
+            else f"{name} = {value:.5g} ± {self.standard_errors[name]:.2g}"
+            for name, value in self.parameters.items()
+        )
+        reached = "the top was reached" if self.converged else "the top was NOT reached"
+        return f"Fit({'; '.join(each)}; log-likelihood {self.log_likelihood:.4f}; {reached})"
+
+
+def fit(build, z, start, initial=None, u=None, *, as_is=()) -> Fit:
+    """The parameters under which the measurements are most probable, with their standard errors.
+
+    Parameters
+    ----------
+    build : function
+        build(**parameters) returns a LinearModel.
+    z : array_like
+        Measurements (..., T, m), or (T,) when m = 1; NaN: not measured. Each series of a batch is fitted alone.
+    start : dict
+        A first value of each parameter, by name, in its own unit. Positive ones are searched as logarithms, and stay
+        positive or become 0 exactly; their first values may be wrong by many powers of ten.
+    initial : Gaussian, optional
+        The belief one step before the first measurement. Without it nothing is known at the first measurement.
+    u : array_like, optional
+        Control inputs (T, p), the same for all series.
+    as_is : list of str
+        Positive parameters that are not to be searched as logarithms, because they may be negative too.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    ValueError, TypeError
+        Naming the argument, or where z does not determine all states of a model without a start.
+
+    References
+    ----------
+    Harvey 1989, sec. 3.4; Durbin and Koopman 2012, ch. 7.
+
+    Examples
+    --------
+    >>> from kflearn import fit, random_walk
+    >>> steps = [0.0, 1.2, 0.7, 2.1, 2.9, 2.2, 3.8, 5.1, 4.6, 6.0]
+    >>> fit(random_walk, steps, {"Q": 1.0, "R": 1.0})  # doctest: +SKIP
+    """
+    family = Family(build, start, as_is)
+    series = _Series.of(family, z, initial, u)
+    function = series.log_likelihood
+    first = np.broadcast_to(family.coordinates(family.first), (series.count, len(family.names)))
+    if not np.isfinite(function(first[None])).all():
+        series.explain()
+    at, reached = climb(function, _scanned(function, series.scaled(first), _each(family)))
+    _look_again(family, function, at, reached)
+    _set_to_zero(family, function, at, reached)
+    return _told(family, series, Hill.around(function, at), at, reached)
+
+
+class _Series:
+    """The series to be fitted, as a function of coordinates."""
+
+    def __init__(self, family, z, initial, u, batch):
+        self.family, self.z, self.initial, self.u, self.batch = family, z, initial, u, batch
+        self.count = len(z)
+        self.runs_last = np.moveaxis(z, 0, -1)[:, :, None]  # (T, m, 1, N)
+        self.reference = np.zeros((family.model.n, self.count))
+        if initial is None:
+            for _ in range(2):  # the second time the columns start near the data, and lose no digits
+                ends = self._ends(family.first[None, None] + np.zeros((1, self.count, 1)))
+                self.reference = self.reference + np.nan_to_num(ends.start_after()[0][:, 0])
+
+    @classmethod
+    def of(cls, family, z, initial, u):
+        """After the arguments were looked at."""
+        known = Gaussian(np.zeros(family.model.n), np.eye(family.model.n)) if initial is None else initial
+        z, u, batch = check_series(family.model, z, known, u)
+        if u is not None and u.ndim > 2:
+            raise ValueError(f"u must have shape (T, p), the same for all series, got {u.shape}")
+        return cls(family, np.broadcast_to(z, (*batch, *z.shape[-2:])).reshape(-1, *z.shape[-2:]), initial, u, batch)
+
+    def log_likelihood(self, coordinates, which=slice(None)):
+        """Of models at coordinates (M, n, p), with the series `which` (n,): (M, n)."""
+        with np.errstate(all="ignore"):  # far from the data much is not finite, and counts as −inf
+            return self._ends(self.family.values(coordinates), which).log_likelihood()
+
+    def _ends(self, values, which=slice(None)):
+        matrices, start = self.family.matrices(values), self._start()
+        some = Start(*(part[..., which] if part.shape[-1] > 1 else part for part in start[:2]), start.resting)
+        return forward(matrices, self.runs_last[..., which], self._push(matrices), some)
+
+    def scaled(self, first):
+        """Coordinates (N, p) at which the filters' claims have the size of their innovations, where that helps."""
+        scatter = np.maximum(self._ends(self.family.values(first[None])).scatter()[0], np.finfo(float).tiny)
+        moved = first + np.log(scatter)[:, None] * self.family.positive
+        return np.where((self.log_likelihood(moved[None]) > self.log_likelihood(first[None])).T, moved, first)
+
+    def _push(self, matrices):
+        if self.u is None:
+            return None
+        B = np.broadcast_to(matrices.B, (len(self.u), *matrices.B.shape[1:]))
+        return np.einsum("tnp...,tp->tn...", B, self.u)
+
+    def _start(self):
+        n = self.family.model.n
+        if self.initial is None:
+            answers = np.broadcast_to(np.eye(n)[:, :, None, None], (n, n, 1, self.count))
+            return Start(np.concatenate([self.reference[:, None, None], answers], axis=1), np.zeros((n, n, 1, 1)), True)
+        mean = np.broadcast_to(self.initial.mean, (*self.batch, n)).reshape(-1, n)
+        cov = np.broadcast_to(self.initial.cov, (*self.batch, n, n)).reshape(-1, n, n)
+        return Start(np.moveaxis(mean, 0, -1)[:, None, None], np.moveaxis(cov, 0, -1)[:, :, None], False)
+
+    def explain(self):
+        """Why there is no likelihood at the start."""
+        if self.initial is None:
+            for z in self.z:
+                diffuse_start(self.family.model, z, self.u)
+        raise ValueError("start must give a model under which z is possible, but its log-likelihood is not finite")
+
+    def track(self, model):
+        """The filter's track of the first series."""
+        if self.initial is not None:
+            first = (0,) * (self.initial.mean.ndim - 1)
+            initial = Gaussian(self.initial.mean[first], self.initial.cov[first])
+            return kalman_filter(model, self.z[0], initial, self.u)
+        start = diffuse_start(model, self.z[0], self.u)
+        if start.steps == self.z.shape[1]:
+            return None
+        u = None if self.u is None else self.u[start.steps :]
+        return kalman_filter(start.model, self.z[0, start.steps :], start.belief, u)
+
+
+def _each(family):
+    """Each positive parameter alone."""
+    return np.diag(family.positive)[family.positive]
+
+
+def _scanned(function, at, groups, which=slice(None)):
+    """The best places to climb from: groups of parameters (p,), one after another, times a power of ten."""
+    for group in groups:
+        tried = at + DECADES[:, None, None] * group
+        at = tried[np.argmax(function(tried, which), axis=0), np.arange(len(at))]
+    return at
+
+
+def _look_again(family, function, at, reached):
+    """A positive parameter that became tiny feels no slope any more: from there one looks at other powers of ten."""
+    flat = np.flatnonzero((abs(np.diagonal(Hill.around(function, at).bend, axis1=1, axis2=2)) < LEAST).any(axis=1))
+    if len(flat):
+        better = _scanned(function, at[flat], _each(family), flat)
+        gain = function(better[None], flat)[0] - function(at[None, flat], flat)[0]
+        _climb_some(function, at, reached, flat[gain > SAME], better[gain > SAME])
+
+
+def _set_to_zero(family, function, at, reached):
+    """Positive parameters for which 0 is as probable as the value found become 0, and the others are sought again."""
+    for i in np.flatnonzero(family.positive):
+        without = at.copy()
+        without[:, i] = -np.inf
+        if family.possible(family.values(without)[0]):
+            zero = np.flatnonzero(function(without[None])[0] >= function(at[None])[0] - SAME)
+            _climb_some(function, at, reached, zero, without[zero])
+
+
+def _climb_some(function, at, reached, which, start):
+    """Climb with some of the series from other places, and note where that leads."""
+    if len(which):
+        some = partial(_of_some, function, which)
+        at[which], reached[which] = climb(some, start)
+
+
+def _of_some(function, some, points, which=slice(None)):
+    """A function of all series as one of some of them."""
+    return function(points, some[which])
+
+
+def _told(family, series, top, at, reached):
+    """The Fit that belongs to the coordinates `at` (N, p)."""
+    values, p, boundary = family.values(at), at.shape[1], np.isneginf(at)
+    information = np.where(boundary[:, :, None] | boundary[:, None], np.eye(p), -top.bend)
+    sound = np.linalg.eigvalsh(information)[:, :1] > 0
+    variance = np.diagonal(np.linalg.inv(np.where(sound[..., None], information, np.eye(p))), axis1=-2, axis2=-1)
+    error = np.sqrt(np.where(sound & ~boundary & (variance > 0), variance, np.nan))
+    error = error * np.where(family.positive, values, family.scale)
+    n = family.model.n if series.initial is None else 0
+    model = family.at(values[0])
+
+    def shaped(array):
+        return array.reshape(series.batch)[()]
+
+    def by_name(array):
+        return {name: shaped(column) for name, column in zip(family.names, array.T, strict=True)}
+
+    return Fit(
+        by_name(values),
+        by_name(error),
+        by_name(boundary),
+        shaped(top.value),
+        shaped(top.value - n / 2 * np.log(2 * np.pi)),
+        shaped(reached),
+        model,
+        series.track(model),
+        n,
+    )

@@ -1,0 +1,164 @@
+"""Filters of many models at once, each with matrices of its own: what fitting needs of them, and nothing more.
+
+The runs come last: matrices are (rows, columns, *runs), series (T, m, *runs). Axes of runs broadcast.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..models.state_space import LinearModel
+
+
+class Matrices(NamedTuple):
+    """The matrices of many models, each (S, rows, columns, *runs); S is 1 where they are the same at all steps."""
+
+    F: np.ndarray
+    H: np.ndarray
+    Q: np.ndarray
+    R: np.ndarray
+    B: np.ndarray | None = None
+
+    @classmethod
+    def of(cls, model: LinearModel, runs: int = 0) -> "Matrices":
+        """Those of one model, with `runs` axes of length 1 for the runs."""
+        own = (getattr(model, name) for name in cls._fields)
+        return cls(*(None if M is None else _steps_first(M).reshape(*_steps_first(M).shape, *[1] * runs) for M in own))
+
+    def at(self, k):
+        """The matrices of step k."""
+        return (None if M is None else M[k if len(M) > 1 else 0] for M in self)
+
+
+class Start(NamedTuple):
+    """Where the filters start: at the columns X (n, c, *runs) of a state, with the covariance P (n, n, *runs).
+
+    Of more columns than one, the first sees the data and the others answer to a change of the state at the start, about
+    which nothing is known. resting: is this the state at the first step itself, to which nothing moves?
+    """
+
+    X: np.ndarray
+    P: np.ndarray
+    resting: bool
+
+
+class Kept(NamedTuple):
+    """What the way back needs of each step: predicted columns and P, H, S⁻¹ of what was measured, K, S⁻¹ V, and F of
+    the step to it."""
+
+    X: np.ndarray
+    P: np.ndarray
+    H: np.ndarray
+    S_inverse: np.ndarray
+    gain: np.ndarray
+    weighed: np.ndarray
+    F: np.ndarray
+
+
+class Ends(NamedTuple):
+    """What a pass forward leaves: Σ Vᵀ S⁻¹ V (c, c, *runs), Σ log det S, how many numbers were measured, all Kept."""
+
+    gram: np.ndarray
+    log_det: np.ndarray
+    seen: np.ndarray
+    kept: list
+
+    def start_after(self):
+        """The state at the first measurement, relative to the first column's: mean (n, *runs) and covariance."""
+        G = np.moveaxis(self.gram, (0, 1), (-2, -1))
+        inverse = _inverse(G[..., 1:, 1:])
+        mean = -np.matvec(inverse, G[..., 1:, 0])
+        return np.moveaxis(mean, -1, 0), np.moveaxis(inverse, (-2, -1), (0, 1))
+
+    def scatter(self):
+        """The mean of the innovations squared, in units of what the filter claims: 1 where its claims are right."""
+        return self._parts()[0] / (self.seen - self._n)
+
+    def log_likelihood(self):
+        """Of each run, (*runs); a diffuse start counts as in `diffuse_start`. −inf where S is no covariance."""
+        rest, log_det = self._parts()
+        value = -0.5 * (log_det + rest + (self.seen - self._n) * np.log(2 * np.pi))
+        return np.where(np.isfinite(value), value, -np.inf)
+
+    @property
+    def _n(self):
+        """How many states have no start."""
+        return len(self.gram) - 1
+
+    def _parts(self):
+        """The sum of the squared innovations and of all log-determinants, once the start is fitted to the data."""
+        G = np.moveaxis(self.gram, (0, 1), (-2, -1))
+        if not self._n:
+            return G[..., 0, 0], self.log_det
+        scale = np.sqrt(np.diagonal(G, axis1=-2, axis2=-1)[..., 1:])
+        inside = G[..., 1:, 1:] / scale[..., :, None] / scale[..., None, :]
+        inside = np.where(np.isfinite(inside), inside, np.nan)
+        right = G[..., 1:, 0] / scale
+        sure = np.sum(right * np.linalg.solve(inside, right[..., None])[..., 0], axis=-1)
+        return G[..., 0, 0] - sure, self.log_det + np.linalg.slogdet(inside)[1] + 2 * np.log(scale).sum(axis=-1)
+
+
+def forward(matrices, z, push, start, keep=False) -> Ends:
+    """Filter the series z (T, m, *runs), NaN where nothing was measured; push: B u (T, n, *runs), or None."""
+    X, P, _ = start
+    gram, log_det, kept, lost = 0.0, 0.0, [], np.isnan(z)
+    gaps, known = lost.reshape(len(z), -1).any(axis=1), np.where(lost, 0, z)
+    for k in range(len(z)):
+        F, H, Q, R, _ = matrices.at(k)
+        if k or not start.resting:
+            X, P = times(F, X), times(times(F, P), transposed(F)) + Q
+            if push is not None:
+                X = np.concatenate([X[:, :1] + push[k, :, None], X[:, 1:]], axis=1)
+        V, cross = -times(H, X), times(P, transposed(H))
+        V = np.concatenate([V[:, :1] + known[k, :, None], V[:, 1:]], axis=1)
+        S = times(H, cross) + R
+        if gaps[k]:
+            V, cross = np.where(lost[k, :, None], 0, V), np.where(lost[k], 0, cross)
+            S = np.where(lost[k, :, None] | lost[k], np.eye(len(S)).reshape(*S.shape[:2], *[1] * (S.ndim - 2)), S)
+        S_inverse, log = inverse_and_log_det(S)
+        gain, weighed = times(cross, S_inverse), times(S_inverse, V)
+        if keep:
+            kept.append(Kept(X, P, np.where(lost[k, :, None], 0, H) if gaps[k] else H, S_inverse, gain, weighed, F))
+        gram, log_det = gram + times(transposed(V), weighed), log_det + log
+        X, P = X + times(cross, weighed), halves(P - times(gain, transposed(cross)))
+    return Ends(gram, log_det, (~lost).sum(axis=(0, 1)), kept)
+
+
+def times(A, B):
+    """Products of matrices: A (a, b, *runs) with B (b, c, *runs)."""
+    return A * B if A.shape[1] == 1 else np.einsum("ab...,bc...->ac...", A, B)
+
+
+def transposed(A):
+    """Aᵀ for A (a, b, *runs)."""
+    return A.swapaxes(0, 1)
+
+
+def halves(P):
+    """The symmetric part: without it rounding errors would grow from step to step."""
+    return P if len(P) == 1 else (P + transposed(P)) / 2
+
+
+def inverse_and_log_det(S):
+    """S⁻¹ (m, m, *runs) and log det S (*runs); NaN where S is not positive."""
+    with np.errstate(all="ignore"):
+        if len(S) == 1:
+            return 1 / S, np.log(S[0, 0])
+        first = np.moveaxis(S, (0, 1), (-2, -1))
+        sign, log = np.linalg.slogdet(first)
+        return np.moveaxis(_inverse(first), (-2, -1), (0, 1)), np.where(sign > 0, log, np.nan)
+
+
+def _inverse(A):
+    """A⁻¹ (..., n, n) for positive definite A, in units in which its diagonal is 1; NaN where there is none."""
+    scale = np.sqrt(np.diagonal(A, axis1=-2, axis2=-1))
+    with np.errstate(all="ignore"):
+        A = A / scale[..., :, None] / scale[..., None, :]
+    good = np.isfinite(A).all(axis=(-2, -1)) & (abs(np.linalg.det(np.where(np.isfinite(A), A, 0))) > 0)
+    inverse = np.linalg.inv(np.where(good[..., None, None], A, np.eye(A.shape[-1])))
+    return np.where(good[..., None, None], inverse, np.nan) / scale[..., :, None] / scale[..., None, :]
+
+
+def _steps_first(M):
+    """A matrix, or a stack of one a step, as (S, rows, columns)."""
+    return M[None] if M.ndim == 2 else M
