@@ -163,7 +163,8 @@ class _Task:
 
     def forward(self, matrices):
         """Filter all series."""
-        return forward(matrices, self.z, self.push, self.start, keep=True)
+        with np.errstate(all="ignore"):
+            return forward(matrices, self.z, self.push, self.start, keep=True)
 
     def better(self, matrices, states):
         """The matrices under which the smoothed states and the readings are most probable together."""
@@ -213,7 +214,8 @@ def _unknown(model, z, push):
     n = model.n
     X = np.broadcast_to(np.eye(n, n + 1, 1)[:, :, None], (n, n + 1, z.shape[-1]))
     start = Start(X, np.zeros((n, n, 1)), True)
-    near, _ = forward(Matrices.of(model, runs=1), z, push, start).start_after()
+    with np.errstate(all="ignore"):
+        near, _ = forward(Matrices.of(model, runs=1), z, push, start).start_after()
     if not np.isfinite(near).all():
         raise ValueError(f"z must determine all {n} states of the model in every series")
     return start._replace(X=np.concatenate([near[:, None], X[:, 1:]], axis=1))

@@ -138,13 +138,14 @@ class _Series:
 
     def log_likelihood(self, coordinates, which=slice(None)):
         """Of models at coordinates (M, n, p), with the series `which` (n,): (M, n)."""
-        with np.errstate(all="ignore"):  # far from the data much is not finite, and counts as −inf
+        with np.errstate(all="ignore"):
             return self._ends(self.family.values(coordinates), which).log_likelihood()
 
     def _ends(self, values, which=slice(None)):
         matrices, start = self.family.matrices(values), self._start()
         some = Start(*(part[..., which] if part.shape[-1] > 1 else part for part in start[:2]), start.resting)
-        return forward(matrices, self.runs_last[..., which], self._push(matrices), some)
+        with np.errstate(all="ignore"):  # far from the data much is not finite, and counts as −inf
+            return forward(matrices, self.runs_last[..., which], self._push(matrices), some)
 
     def scaled(self, first):
         """Coordinates (N, p) at which the filters' claims have the size of their innovations, where that helps."""
@@ -240,7 +241,6 @@ def _told(family, series, top, at, reached):
     error = np.sqrt(np.where(sound & ~boundary & (variance > 0), variance, np.nan))
     error = error * np.where(family.positive, values, family.scale)
     n = family.model.n if series.initial is None else 0
-    model = family.at(values[0])
 
     def shaped(array):
         return array.reshape(series.batch)[()]
@@ -255,7 +255,7 @@ def _told(family, series, top, at, reached):
         shaped(top.value),
         shaped(top.value - n / 2 * np.log(2 * np.pi)),
         shaped(reached),
-        model,
-        series.track(model),
+        family.at(values[0]),
         n,
+        series.track,
     )

@@ -100,28 +100,56 @@ class Ends(NamedTuple):
 
 def forward(matrices, z, push, start, keep=False) -> Ends:
     """Filter the series z (T, m, *runs), NaN where nothing was measured; push: B u (T, n, *runs), or None."""
-    X, P, _ = start
+    runs = np.broadcast_shapes(z.shape[2:], start.X.shape[2:], *(M.shape[3:] for M in matrices if M is not None))
+    X, P = np.broadcast_to(start.X, (*start.X.shape[:2], *runs)), start.P
     gram, log_det, kept, lost = 0.0, 0.0, [], np.isnan(z)
     gaps, known = lost.reshape(len(z), -1).any(axis=1), np.where(lost, 0, z)
+    constant = all(M is None or len(M) == 1 for M in matrices)
+    step = _Step.of(matrices, 0)
     for k in range(len(z)):
-        F, H, Q, R, _ = matrices.at(k)
+        step = step if constant else _Step.of(matrices, k)
         if k or not start.resting:
-            X, P = times(F, X), times(times(F, P), transposed(F)) + Q
+            X, P = times(step.F, X), times(times(step.F, P), step.F_T) + step.Q
             if push is not None:
-                X = np.concatenate([X[:, :1] + push[k, :, None], X[:, 1:]], axis=1)
-        V, cross = -times(H, X), times(P, transposed(H))
-        V = np.concatenate([V[:, :1] + known[k, :, None], V[:, 1:]], axis=1)
-        S = times(H, cross) + R
+                X[:, 0] += push[k]
+        V, cross = times(step.minus_H, X), times(P, step.H_T)
+        V[:, 0] += known[k]
+        S = step.R - times(step.minus_H, cross)
         if gaps[k]:
-            V, cross = np.where(lost[k, :, None], 0, V), np.where(lost[k], 0, cross)
-            S = np.where(lost[k, :, None] | lost[k], np.eye(len(S)).reshape(*S.shape[:2], *[1] * (S.ndim - 2)), S)
+            V, cross, S = _without(lost[k], V, cross, S)
         S_inverse, log = inverse_and_log_det(S)
         gain, weighed = times(cross, S_inverse), times(S_inverse, V)
         if keep:
-            kept.append(Kept(X, P, np.where(lost[k, :, None], 0, H) if gaps[k] else H, S_inverse, gain, weighed, F))
+            H = -step.minus_H
+            kept.append(
+                Kept(X, P, np.where(lost[k, :, None], 0, H) if gaps[k] else H, S_inverse, gain, weighed, step.F)
+            )
         gram, log_det = gram + times(transposed(V), weighed), log_det + log
         X, P = X + times(cross, weighed), halves(P - times(gain, transposed(cross)))
     return Ends(gram, log_det, (~lost).sum(axis=(0, 1)), kept)
+
+
+class _Step(NamedTuple):
+    """The matrices of one step, as `forward` needs them."""
+
+    F: np.ndarray
+    F_T: np.ndarray
+    minus_H: np.ndarray
+    H_T: np.ndarray
+    Q: np.ndarray
+    R: np.ndarray
+
+    @classmethod
+    def of(cls, matrices, k):
+        F, H, Q, R, _ = matrices.at(k)
+        return cls(F, transposed(F), -H, transposed(H), Q, R)
+
+
+def _without(lost, V, cross, S):
+    """Innovations, cross-covariance and S without the components (m, *runs) that are lost."""
+    pair = lost[:, None] | lost
+    eye = np.eye(len(S)).reshape(*S.shape[:2], *[1] * (S.ndim - 2))
+    return np.where(lost[:, None], 0, V), np.where(lost, 0, cross), np.where(pair, eye, S)
 
 
 def times(A, B):
@@ -141,12 +169,11 @@ def halves(P):
 
 def inverse_and_log_det(S):
     """S⁻¹ (m, m, *runs) and log det S (*runs); NaN where S is not positive."""
-    with np.errstate(all="ignore"):
-        if len(S) == 1:
-            return 1 / S, np.log(S[0, 0])
-        first = np.moveaxis(S, (0, 1), (-2, -1))
-        sign, log = np.linalg.slogdet(first)
-        return np.moveaxis(_inverse(first), (-2, -1), (0, 1)), np.where(sign > 0, log, np.nan)
+    if len(S) == 1:
+        return 1 / S, np.log(S[0, 0])
+    first = np.moveaxis(S, (0, 1), (-2, -1))
+    sign, log = np.linalg.slogdet(first)
+    return np.moveaxis(_inverse(first), (-2, -1), (0, 1)), np.where(sign > 0, log, np.nan)
 
 
 def _inverse(A):

@@ -1,0 +1,204 @@
+"""Wrong answers to exercises of lesson 24, each with the sentence that it gets."""
+
+import numpy as np
+
+from kflearn import fit, random_walk
+
+LOG = np.log(2 * np.pi * 5)
+
+WRONG = {
+    "one_reading": {
+        "the ½ forgotten": (-(LOG + 1.8), "You left out the ½ before the bracket."),
+        "plus": (
+            0.5 * (LOG + 1.8),
+            "The sign: both parts of the bracket are positive here, and minus a half of it is asked for.",
+        ),
+        "the ½ before the logarithm only": (-(0.5 * LOG + 1.8), "The ½ belongs to both parts, also to y²/S."),
+        "the ½ before the NIS only": (-(LOG + 0.9), "The ½ belongs to both parts, also to log 2πS."),
+        "minus between": (-0.5 * (LOG - 1.8), "Inside the bracket the two parts are added."),
+        "σ for S in the logarithm": (
+            -0.5 * (np.log(2 * np.pi * 5**0.5) + 1.8),
+            "In the logarithm stands S, 5 V², and not √S.",
+        ),
+        "divided by σ": (-0.5 * (LOG + 9 / 5**0.5), "The squared innovation is divided by S, 5 V², and not by √S."),
+        "y not squared": (-0.5 * (LOG + 0.6), "The innovation is squared: 3²/5."),
+        "y over σ": (-0.5 * (LOG + 3 / 5**0.5), "The quotient y/√S is to be squared: 3²/5."),
+        "√S for S in both": (
+            -0.5 * (np.log(2 * np.pi * 5**0.5) + 9 / 5**0.5),
+            "You took √S for S in both places. S is a variance, 5 V².",
+        ),
+        "S squared in both": (-0.5 * (np.log(2 * np.pi * 25) + 9 / 25), "You squared the 5. S is a variance already."),
+        "2π forgotten": (-0.5 * (np.log(5) + 1.8), "2π is missing in the logarithm."),
+        "π for 2π": (-0.5 * (np.log(np.pi * 5) + 1.8), "It is 2π in the logarithm, not π."),
+        "no NIS": (-0.5 * LOG, "That is for a reading exactly as expected. y²/S is missing."),
+        "only the NIS": (-0.9, "That is the second part alone. log 2πS is missing."),
+        "the NIS": (1.8, "That is the NIS alone. It is the second part of the bracket."),
+        "the density": (
+            float(np.exp(-0.5 * (LOG + 1.8))),
+            "That is the probability density itself. Its logarithm was asked for.",
+        ),
+        "log10": (
+            -0.5 * (np.log10(2 * np.pi * 5) + 1.8),
+            "You took the logarithm to the base of ten. The natural one is meant, `np.log`.",
+        ),
+        "S and y exchanged": (
+            -0.5 * (np.log(2 * np.pi * 3) + 25 / 3),
+            "You exchanged the two numbers: S, the variance, is 5 V², and y, the innovation, is 3 V.",
+        ),
+    },
+    "half_missing": {
+        "right library": (
+            4.0,
+            "That is where a right likelihood comes to. Without the ½ the two parts are no longer in balance.",
+        ),
+        "other way": (8.0, "It goes the other way: the logarithm, which punishes a large R, has become heavier."),
+        "root": (np.sqrt(2), "That is the σ that belongs to it. R was asked for."),
+        "root of eight": (
+            np.sqrt(8),
+            "That is 4/√2, as a factor of a half would change a σ. Set the derivative −½·4/R² + 1/R to zero.",
+        ),
+        "a quarter": (1.0, "The logarithm is twice as heavy, not four times: ½·4/R² = 1/R."),
+        "sixteen": (
+            16.0,
+            "R is a variance already; nothing is squared. And the logarithm, which punishes a large R, has become heavier.",
+        ),
+        "factor alone": (0.5, "That is the factor. Multiply the true R by it."),
+        "zero": (0.0, "Near R = 0 the part ½·4/R becomes huge. There is a place between."),
+        "2π": (
+            2 / (2 * np.pi),
+            "The 2π inside the logarithm is a constant and does not move the place of the minimum.",
+        ),
+    },
+    "doubled": {
+        "A": ({"A"}, "Twice a hill has its top in the same place, so A is right. Think of the curvature."),
+        "B": ({"B"}, "B is one of them. And what is added to log L in the AIC, is that doubled too?"),
+        "C": ({"C"}, "C is one of them. And what of the curvature of a hill that is twice as high?"),
+        "D": (
+            {"D"},
+            "The order of two numbers stays when both are doubled, and the same constant is missing in both. D is right.",
+        ),
+        "AB": ({"A", "B"}, "Twice a hill has its top in the same place, so A is right. B is wrong; and one more."),
+        "AC": ({"A", "C"}, "Twice a hill has its top in the same place, so A is right. C is wrong; and one more."),
+        "AD": ({"A", "D"}, "A and D look at the place of the top and at the order only: both are right."),
+        "BD": ({"B", "D"}, "The order stays, so D is right. B is wrong; and what of the AIC?"),
+        "CD": ({"C", "D"}, "The order stays, so D is right. C is wrong; and what of the curvature?"),
+        "ABC": ({"A", "B", "C"}, "Two of these are wrong. Twice a hill has its top in the same place, so A is right."),
+        "BCD": (
+            {"B", "C", "D"},
+            "Two of these are wrong. The order of two numbers stays when both are doubled: D is right.",
+        ),
+        "ABD": (
+            {"A", "B", "D"},
+            "Of these only B is wrong: the place of the top and the order stay. And what of the AIC?",
+        ),
+        "ACD": (
+            {"A", "C", "D"},
+            "Of these only C is wrong: the place of the top and the order stay. And what of the curvature?",
+        ),
+        "ABCD": (
+            {"A", "B", "C", "D"},
+            "Not all: where only the place of the top or the order matters, a factor does no harm.",
+        ),
+    },
+}
+
+
+def seen(y, S):
+    return y[~np.isnan(y)], S[~np.isnan(y)]
+
+
+def of_seen(formula):
+    return lambda y, S: formula(*seen(y, S))
+
+
+WRONG["log_likelihood"] = {
+    "gaps counted": (
+        lambda y, S: -0.5 * (np.sum(np.log(2 * np.pi * S)) + np.nansum(y**2 / S)),
+        "The logarithm is added for missing readings too. A step without a reading says nothing: leave out its log 2πS as well.",
+    ),
+    "NaN kept": (
+        lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S),
+        "One NaN makes the whole sum NaN. Leave out the steps where y is NaN.",
+    ),
+    "plus": (
+        of_seen(lambda y, S: 0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S)),
+        "The sign: that is minus the log-likelihood, as a search for a minimum wants it.",
+    ),
+    "no half": (of_seen(lambda y, S: -np.sum(np.log(2 * np.pi * S) + y**2 / S)), "You left out the ½."),
+    "half before the NIS only": (
+        of_seen(lambda y, S: -np.sum(np.log(2 * np.pi * S) + 0.5 * y**2 / S)),
+        "The ½ belongs to both parts, also to the logarithm. That is the fault of exercise 3.",
+    ),
+    "half before the logarithm only": (
+        of_seen(lambda y, S: -np.sum(0.5 * np.log(2 * np.pi * S) + y**2 / S)),
+        "The ½ belongs to both parts, also to y²/S.",
+    ),
+    "2π forgotten": (of_seen(lambda y, S: -0.5 * np.sum(np.log(S) + y**2 / S)), "2π is missing in the logarithm."),
+    "mean": (
+        of_seen(lambda y, S: -0.5 * np.mean(np.log(2 * np.pi * S) + y**2 / S)),
+        "You took the mean. The logarithms of a product add: take the sum.",
+    ),
+    "each": (
+        of_seen(lambda y, S: -0.5 * (np.log(2 * np.pi * S) + y**2 / S)),
+        "That is one number for each reading. Add them up.",
+    ),
+    "σ for S": (
+        of_seen(lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S**2) + y**2 / S**2)),
+        "S is a variance already; you squared it, as one would a σ.",
+    ),
+    "root in the NIS": (
+        of_seen(lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / np.sqrt(S))),
+        "The squared innovation is divided by S itself, not by its root.",
+    ),
+    "y not squared": (
+        of_seen(lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y / S)),
+        "The innovation is squared in the NIS.",
+    ),
+    "logarithm of the sum": (
+        of_seen(lambda y, S: -0.5 * (np.log(2 * np.pi * S.sum()) + np.sum(y**2 / S))),
+        "You took the logarithm of the sum of all S. Each reading has a logarithm of its own.",
+    ),
+    "product of densities": (
+        of_seen(lambda y, S: np.prod(np.exp(-0.5 * y**2 / S) / np.sqrt(2 * np.pi * S))),
+        "That is the likelihood itself. Its logarithm was asked for; with many readings the product would become 0 in the machine.",
+    ),
+}
+
+WRONG["fitted_R"] = {
+    "variance of the readings": (
+        lambda z, Q: np.nanvar(z, ddof=1),
+        "That is the variance of the readings, as of a voltage that never moves: the walk is in it too. Q is given.",
+    ),
+    "differences": (
+        lambda z, Q: np.nanvar(np.diff(z)) / 2,
+        "Half the variance of the differences. A difference also holds one step of the walk: its variance is 2R + Q.",
+    ),
+    "differences without the half": (
+        lambda z, Q: np.nanmean(np.diff(z) ** 2) - Q,
+        "That is 2R, since a difference holds the errors of two readings. And differences are not the most probable R: use the likelihood.",
+    ),
+    "differences, right on average": (
+        lambda z, Q: max((np.nanmean(np.diff(z) ** 2) - Q) / 2, 0),
+        "A fair estimate: right on average, but it scatters more than need be. Maximise the likelihood.",
+    ),
+    "σ": (
+        lambda z, Q: np.sqrt(fit(lambda R: random_walk(Q, R), z, {"R": 1.0}).parameters["R"]),
+        "That is σ. Its square, the variance R, was asked for.",
+    ),
+    "Q as σ": (
+        lambda z, Q: fit(lambda R: random_walk(Q**2, R), z, {"R": 1.0}).parameters["R"],
+        "Q is a variance already; you squared it.",
+    ),
+    "Q fitted too": (
+        lambda z, Q: fit(random_walk, z, {"Q": 1.0, "R": 1.0}).parameters["R"],
+        "You fitted Q as well. It is known here: put it into `build`.",
+    ),
+    "Q and R exchanged": (
+        lambda z, Q: fit(lambda R: random_walk(R, Q), z, {"R": 1.0}).parameters["R"],
+        "You gave Q and R to `random_walk` in the wrong order: its first argument is Q.",
+    ),
+    "gaps left out": (
+        lambda z, Q: fit(lambda R: random_walk(Q, R), z[~np.isnan(z)], {"R": 1.0}).parameters["R"] * 1.0,
+        "You removed the gaps, so that the readings on either side became neighbours. Leave NaN in: the filter then predicts twice.",
+    ),
+}
