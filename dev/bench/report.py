@@ -6,7 +6,7 @@ import re
 from importlib.metadata import version
 from pathlib import Path
 
-from dev.bench import filters, footprint, gaps, goals, online, playground, rival_races
+from dev.bench import filters, fitting, footprint, gaps, goals, online, playground, rival_races
 
 TARGET = footprint.ROOT / "BENCHMARKS.md"
 PACKAGES = (
@@ -35,6 +35,10 @@ OTHERS = """
 where JAX is used; the time is the best of three calls after it. Processor: how much of one the rival had; far below
 100 % the machine was busy with other things. "The end only": it keeps the last estimate, not all.
 """
+FITS = (
+    "\n## Parameters from data\n\nA random walk without a start; statsmodels loops over the series, timed on 20 of "
+    "them, pykalman on 3.\n"
+)
 PICTURES = (
     "## From slider to picture\n\nIn JupyterLab, in headless Chromium; a filter over 200 steps, two axes, 800 × 500. "
     "Medians of five rounds.\n"
@@ -71,6 +75,8 @@ def report():
     yield from gaps.table()
     yield ONLINE
     yield from online.table()
+    yield FITS
+    yield from fitting.table()
     yield OTHERS.format(versions=rival_races.versions())
     yield from rival_races.table()
     yield f"\n{PICTURES}"

@@ -120,7 +120,7 @@ def em(model, z, initial=None, u=None, *, free=("Q", "R"), rounds=1000, toleranc
     >>> em(random_walk(1, 1), steps, rounds=20).log_likelihood.shape
     (21,)
     """
-    task = _Task.of(model, z, initial, u, free)
+    task = Task.of(model, z, initial, u, free)
     rounds = check.whole_number("rounds", rounds, least=1)
     matrices, values, rest = Matrices.of(model, runs=1), [], False
     for _ in range(rounds):
@@ -134,7 +134,7 @@ def em(model, z, initial=None, u=None, *, free=("Q", "R"), rounds=1000, toleranc
     return task.told(matrices, np.array(values), rest)
 
 
-class _Task:
+class Task:
     """The series to learn from, z (T, m, N), and where their filters start: at the first of these steps."""
 
     def __init__(self, model, z, push, start, free, batch):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kflearn import Gaussian, LinearModel, diffuse_start, em, fit, kalman_filter, random_walk, rts_smoother
-from kflearn.fitting.em import _Task, smoothed
+from kflearn.fitting.em import Task, smoothed
 from kflearn.fitting.many import Matrices, Start
 
 F, H = np.array([[1, 0.5], [0, 0.9]]), np.array([[1, 0], [0.3, 1]])
@@ -24,7 +24,7 @@ def readings(missing=(7, 30, 31, 32)):
 def five_rounds(free):
     """From the start N(0, 4 I) at the first reading itself, as pykalman has it."""
     start = Start(np.zeros((2, 1, 1)), 4 * np.eye(2)[..., None], True)
-    task, matrices = _Task(MODEL, readings()[..., None], None, start, free, ()), Matrices.of(MODEL, runs=1)
+    task, matrices = Task(MODEL, readings()[..., None], None, start, free, ()), Matrices.of(MODEL, runs=1)
     for _ in range(5):
         matrices = task.better(matrices, smoothed(task.forward(matrices)))
     return [getattr(matrices, name)[0, ..., 0] for name in free]
@@ -72,7 +72,7 @@ def test_the_likelihoods_are_those_of_the_filters():
 def test_the_way_back_is_the_smoother():
     z, initial = readings(), Gaussian([1, 2], [[3, 1], [1, 2]])
     start = Start(initial.mean[:, None, None], initial.cov[..., None], False)
-    states = smoothed(_Task(MODEL, z[..., None], None, start, ("Q",), ()).forward(Matrices.of(MODEL, runs=1)))
+    states = smoothed(Task(MODEL, z[..., None], None, start, ("Q",), ()).forward(Matrices.of(MODEL, runs=1)))
     smooth = rts_smoother(MODEL, kalman_filter(MODEL, z, initial))
     np.testing.assert_allclose(states.mean[..., 0], smooth.mean, atol=1e-12)
     np.testing.assert_allclose(states.cov[..., 0], smooth.cov, atol=1e-12)
