@@ -29,13 +29,13 @@ diffuse_start. The ways through a function: linearize, unscented, cubature. Smoo
 two_filter_smoother. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
 with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
 singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
-recordings (which raises RecordingError), bearings, homing, navigation, video, plots.
+recordings (which raises RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
 """
 
 from importlib import import_module
 
 from .core.angles import angle_difference, circular_mean, wrap
-from .course import bearings, homing, navigation, recordings, scenarios, video
+from .course import bearings, examples, homing, navigation, recordings, scenarios, video
 from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.consider import schmidt_kalman_filter
@@ -126,6 +126,7 @@ __all__ = [
     "cubature",
     "cubature_kalman_filter",
     "diffuse_start",
+    "examples",
     "extended_kalman_filter",
     "homing",
     "imm_filter",
