@@ -113,7 +113,7 @@ title: Silver Springs, Florida: discharge and water level, daily means, October 
 source: US Geological Survey, site 02239501; from hydrotoolbox 2.3.2 (tests/data_02239501.csv)
 licence: public domain (US Geological Survey); the package itself: BSD, 3 clauses
 units: cubic feet a second; feet above the gauge's own zero (1 ft = 0.3048 m)
-left out: the days before October 2010, fifteen other sensors, the Survey's remarks on single days
+left out: the days before October 2010, sixteen other columns, the Survey's remarks on single days
 made: columns 00060 and 00065; missing days are empty
 day,discharge [ft^3/s],level [ft]""",
     imu: """\

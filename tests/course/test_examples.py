@@ -68,9 +68,8 @@ def test_michelson_as_certified():
 
 
 def test_the_nile_as_in_the_reference():
-    table = np.genfromtxt(ROOT / "tests" / "reference" / "nile.csv", delimiter=",", names=True, comments="#")
-    column = next(name for name in table.dtype.names if np.allclose(table[name][:2], [1120, 1160]))
-    np.testing.assert_array_equal(examples.load("nile")["flow"], table[column])
+    table = np.genfromtxt(ROOT / "tests" / "reference" / "nile.csv", skip_header=1)
+    np.testing.assert_array_equal(examples.load("nile")["flow"], table)
 
 
 def test_the_hurricane_and_the_gaps():
