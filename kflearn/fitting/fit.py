@@ -1,8 +1,8 @@
 """Maximum likelihood: the parameters of a model under which the measurements are most probable."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -42,9 +42,13 @@ class Fit(Frozen):
     log_likelihood_of_all: np.ndarray
     converged: np.ndarray
     model: LinearModel
-    track: Track
-
     states_without_start: int
+    _follow: Callable
+
+    @cached_property
+    def track(self) -> Track | None:
+        """The filter's track with the fitted model; None if it takes all readings to know the states."""
+        return self._follow(self.model)
 
     @property
     def aic(self):
