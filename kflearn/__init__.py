@@ -30,13 +30,13 @@ two_filter_smoother, lag_one_covariances; what comes next: forecast, steady_stat
 disturbances, which reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse,
 report_card; with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
 singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
-recordings (which raises RecordingError), bearings, homing, navigation, video, plots.
+recordings (which raises RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
 """
 
 from importlib import import_module
 
 from .core.angles import angle_difference, circular_mean, wrap
-from .course import bearings, homing, navigation, recordings, scenarios, video
+from .course import bearings, examples, homing, navigation, recordings, scenarios, video
 from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.consider import schmidt_kalman_filter
@@ -134,6 +134,7 @@ __all__ = [
     "diffuse_start",
     "disturbances",
     "em",
+    "examples",
     "extended_kalman_filter",
     "fit",
     "forecast",

@@ -208,3 +208,26 @@ def count_once(x, P, x_back, P_back, z, R):
     """Mean and variance of two beliefs that have both used z, with z counted once."""
     information = 1 / P + 1 / P_back - 1 / R
     return (x / P + x_back / P_back - z / R) / information, 1 / information
+
+
+@exercise(
+    hints=[
+        "Divide the first printed error by the second. For the train of this lesson it was 0.443 m by 0.920 m.",
+        "A straight line has the noise of the two readings at its ends. In which of the two records is this noise the larger part?",
+        "0.39 by 0.43 is about nine tenths: B.",
+    ],
+    wrong={
+        "half": (
+            "A",
+            "That was the train. Divide the two errors that are printed here: the smoother's is not half of the line's.",
+        ),
+        "larger": (
+            "C",
+            "The difference has a minus: the smoother's error is the smaller one, by about two standard errors.",
+        ),
+    },
+    then="The train was read to 1 m, and within the gap it did little that a line does not do. The air is read to 0.3 ppm, which leaves little noise to remove.",
+)
+def real_gap():
+    """Smoother against a straight line in six hidden weeks of carbon dioxide: half, a tenth less, or more?"""
+    return "B"

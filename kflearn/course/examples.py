@@ -1,0 +1,83 @@
+"""Real recordings: measured, not simulated, so nobody knows the truth behind them.
+
+    light     a hundred measurements of the speed of light, 1879
+    nile      the flow of the Nile at Aswan, yearly, 1871 to 1970
+    co2       carbon dioxide on Mauna Loa, weekly, 1958 to 2001, with gaps
+    seattle   the weather of Seattle, daily, 2012 to 2015
+    spring    discharge and level of Silver Springs, daily, 2010 to 2022, with gaps and a hurricane
+    imu       an inertial sensor, 50 times a second, moved for some seconds and then at rest
+
+Each file begins with comments that say where it is from, its licence, its units and what was left out; the appendix
+*Recordings* of the notebooks says more. (`recordings.example` gives the files that are simulated.)
+
+Examples
+--------
+>>> from kflearn import examples
+>>> nile = examples.load("nile")
+>>> print(len(nile), nile["flow"][:3], nile.licence)
+100 [1120. 1160.  963.] public domain (as statsmodels says)
+"""
+
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+from .recordings import Recording, RecordingError, read
+
+__all__ = ["NAMES", "Example", "load"]
+
+NAMES = ("light", "nile", "co2", "seattle", "spring", "imu")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Example(Recording):
+    """A recording that says where it is from.
+
+    Attributes
+    ----------
+    time, values, names, units, lines, start
+        As those of a Recording.
+    title, source, licence : str
+        What it is, where it is from, and under which terms it may be passed on.
+    """
+
+    title: str
+    source: str
+    licence: str
+
+
+def load(name) -> Example:
+    """A real recording of the course, read by `recordings.read`.
+
+    Parameters
+    ----------
+    name : str
+        "light", "nile", "co2", "seattle", "spring" or "imu".
+
+    Raises
+    ------
+    RecordingError
+        For any other name.
+
+    Examples
+    --------
+    >>> from kflearn import examples
+    >>> air = examples.load("co2")
+    >>> print(air.title)
+    carbon dioxide in the air on Mauna Loa, Hawaii, week by week, 1958 to 2001
+    >>> print(f"{air['co2'][0]} {air.units[0]}")
+    316.1 ppm
+    """
+    if name not in NAMES:
+        raise RecordingError((None, f"there is no real recording {name!r}; they are {', '.join(NAMES)}"))
+    path = Path(__file__).with_name("data") / f"{name}.csv"
+    said = _said(path)
+    recording = read(path)
+    parts = {field.name: getattr(recording, field.name) for field in fields(recording)}
+    return Example(**parts, title=said["title"], source=said["source"], licence=said["licence"])
+
+
+def _said(path):
+    """What the comments at the top of a file say: "# licence: public domain" → {"licence": "public domain"}."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    pairs = (line[2:].partition(": ") for line in lines if line.startswith("# "))
+    return {key: value for key, colon, value in pairs if colon}
