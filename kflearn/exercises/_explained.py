@@ -25,7 +25,8 @@ def explained(exercise, answer, results, rights, faults) -> str:
     first = good.index(False)
     words = f"for `{exercise._called(cases[first])}` {faults[first]}"
     lead = _unused(exercise, answer, close) or _of_the_notebook(answer, names)
-    lead = lead or _not_a_number(results, rights) or _of_matrices(answer, cases, good) or _size(results, rights, cases)
+    lead = lead or _not_a_number(results, rights) or _of_matrices(answer, cases, good, names)
+    lead = lead or _size(results, rights, cases)
     if not lead:
         return f"{words} {_placed(results, rights, close) or _rules.share(good, cases)}".rstrip()
     return f"{lead} {words[0].upper()}{words[1:]}"
@@ -83,17 +84,16 @@ def _not_a_number(results, rights):
     return ""
 
 
-def _of_matrices(answer, cases, good):
-    """Right where matrices hold one number, wrong for all others: what is different for matrices."""
-    matrices = [[np.shape(part) for part in case if np.ndim(part) == 2] for case in cases]
-    single = [all(np.prod(shape) == 1 for shape in shapes) for shapes in matrices]
-    if not all(matrices) or single != good or not any(single):
+def _of_matrices(answer, cases, good, names):
+    """Right where a matrix holds one number, wrong for all others: what is different for matrices."""
+    found = [i for i, part in enumerate(cases[0]) if np.ndim(part) == 2]
+    alike = [names[i] for i in found if [np.size(case[i]) == 1 for case in cases] == good]
+    if not alike or not any(good):
         return ""
-    lead = "That is right only where each matrix holds a single number."
-    arrays = all(np.ndim(part) for part in cases[0])
-    if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1"):
+    lead = f"That is right only where {alike[-1]} holds a single number."
+    if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
         return f"{lead} `1 / S` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv(S)`."
-    if arrays and _code_of.has(answer, r"[A-Za-z_)\]](\.T)? *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
+    if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
         return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
     return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."
 

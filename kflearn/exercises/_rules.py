@@ -172,7 +172,8 @@ def _reads(function, i) -> bool:
     if i >= code.co_argcount:
         return True  # it comes in by a star: whatever is done with it cannot be seen
     name = code.co_varnames[i]
-    read = [step.argval for step in dis.get_instructions(code) if not step.opname.startswith(("STORE", "DELETE"))]
+    steps = [step for step in dis.get_instructions(code) if "FAST" in step.opname or "DEREF" in step.opname]
+    read = [step.argval for step in steps if not step.opname.startswith(("STORE", "DELETE"))]
     return any(name == one or (isinstance(one, tuple) and name in one) for one in read)
 
 
