@@ -126,7 +126,7 @@ def _of_text(answer):
     words = answer if isinstance(answer, str) else ""
     if re.fullmatch(r"[\d\s.,e+()\[\]*/-]*", words):
         return "leave out the quotation marks"
-    return "give the number itself, without words, units or quotation marks"
+    return "write it without quotation marks, words and units"
 
 
 def _close(given, right, rtol, atol=None):

@@ -66,7 +66,7 @@ def _take(step, stack, lines):
         stack.append(" ".join([_bracketed(left), sign, _bracketed(right)]))
     elif name == "BINARY_SUBSCR":
         index = stack.pop()
-        stack.append(f"{stack.pop()}[{index}]")
+        stack.append(f"{_bracketed(stack.pop())}[{index}]")
     elif name in ("CALL", "CALL_FUNCTION", "CALL_METHOD", "CALL_KW"):
         given = [stack.pop() for _ in range(step.arg)][::-1]
         stack.append(f"{stack.pop()}({', '.join(given)})")

@@ -70,7 +70,7 @@ def _of_the_notebook(answer, parameters):
         return ""
     listed = " and ".join(f"`{name}`" for name in names[:3])
     are = "is a name of the notebook and not an argument" if len(names) == 1 else "are names of the notebook"
-    return f"Your function reads {listed}, which {are}. It is given {', '.join(parameters)}: use these only."
+    return f"Your function reads {listed}, which {are}: is that meant? It is given {', '.join(parameters)}."
 
 
 def _not_a_number(results, rights):

@@ -105,7 +105,9 @@ def _moved(pairs, close):
 
 def _constant(pairs, close):
     """The same factor in all trials, or the same term."""
-    ones, others = (np.concatenate([np.ravel(part) for part in side]).astype(float) for side in zip(*pairs, strict=True))
+    ones, others = (
+        np.concatenate([np.ravel(part) for part in side]).astype(float) for side in zip(*pairs, strict=True)
+    )
     if not (np.isfinite(ones).all() and np.isfinite(others).all()) or np.ptp(others) == 0 or not others.any():
         return None
     factor, term = ones @ others / (others @ others), np.mean(ones - others)
@@ -160,6 +162,8 @@ def _matters(function, solve, cases, i, close):
                 needed += wanted
             except Exception:
                 continue
+        if seen or needed >= 4:
+            break
     return needed >= 2, seen
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from kflearn.exercises._tuning_the_ratio import balance
 
-DEGREES = range(3, 13)  # of polynomials that are taken away
+DEGREES = range(3, 11)  # of polynomials that are taken away
 
 
 def recursion(Q, R, steps, grows=True, shrinks=True):

@@ -94,7 +94,7 @@ WRONG = {
         ),
         "published claims the fused one": (
             lambda p, r: (p / fused(p, r), p / (p + r), p / fused(p, r)),
-            "Two are right. The published version claims σz², not the fused variance.",
+            "Two are right. The published version returns μx and claims σz²: its ratio is var_x over var_z, without a sum or a fused variance.",
         ),
         "published is honest": (
             lambda p, r: (1.0, p / (p + r), p / fused(p, r)),
@@ -103,10 +103,6 @@ WRONG = {
         "sums for μx": (
             lambda p, r: ((p + r) / r, p / (p + r), (p + r) / fused(p, r)),
             "Anna's is right. In the other two you took the mean squared difference of μx and the reading. Wanted is that of μx and the truth: var_x.",
-        ),
-        "sum for the published": (
-            lambda p, r: ((p + r) / r, p / (p + r), p / fused(p, r)),
-            "Two are right. In the first you took the mean squared difference of μx and the reading; wanted is that of μx and the truth.",
         ),
         "differences": (
             lambda p, r: (p - r, fused(p, r) - r, p - fused(p, r)),

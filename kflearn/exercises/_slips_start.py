@@ -13,7 +13,6 @@ def table(a, b, c, d):
     return np.array([[a, b], [c, d]])
 
 
-
 WRONG = {
     "three_readings": {
         "no brackets": (145, "Only the 66 was divided by 3. Put brackets around the sum: (61 + 62 + 66) / 3."),

@@ -41,7 +41,13 @@ def whole_step(correction):
     return lambda x, P, z, F, H, Q, R: correction(F @ x, F @ P @ F.T + Q, z, H, R)
 
 
-TAKEN = ("both kept", "covariance not reduced", "np.eye(2)", "np.eye(len(z))", "1 − K H")  # they have a sentence of their own, or a rule
+TAKEN = (
+    "both kept",
+    "covariance not reduced",
+    "np.eye(2)",
+    "np.eye(len(z))",
+    "1 − K H",
+)  # they have a sentence of their own, or a rule
 
 
 WRONG = {
@@ -180,7 +186,10 @@ WRONG = {
         ),
     },
     "speedometer": {
-        "gain added": (61.2, "You added K₁ alone. It is a gain, in m for each m/s: multiply it by the innovation first."),
+        "gain added": (
+            61.2,
+            "You added K₁ alone. It is a gain, in m for each m/s: multiply it by the innovation first.",
+        ),
         "whole reading": (
             lambda: 60 + 1.2 * 13,
             "You multiplied K₁ by the whole reading. What counts is the innovation: the reading less what was expected of it.",

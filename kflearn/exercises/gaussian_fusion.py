@@ -32,7 +32,9 @@ def two_opinions(rng):
     wrong=WRONG["third_opinion"] | MORE["third_opinion"],
     unit="m",
     rtol=5e-4,
-    otherwise=lambda mean: f"Your answer lies {(mean - 61.6667) / 4.3333:.3g} of the way from 61.6667 m to 66 m. This share is K: which variance stands on top in it, and which two below?",
+    otherwise=lambda mean: (
+        f"Your answer lies {(mean - 61.6667) / 4.3333:.3g} of the way from 61.6667 m to 66 m. This share is K: which variance stands on top in it, and which two below?"
+    ),
     then="The satellite moves the mean by only 0.75 m, although it is 4.3 m away. The variance becomes smaller, 0.69 m² in place of 0.83 m²: even an uncertain opinion helps, if its σ is right.",
 )
 def third_opinion():
@@ -65,7 +67,9 @@ def fuse(mean_x, var_x, mean_z, var_z):
     ],
     wrong=WRONG["readings_needed"],
     unit="readings",
-    otherwise=lambda n: f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n.",
+    otherwise=lambda n: (
+        f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n."
+    ),
     then="Ten readings give 0.313 m and eleven 0.299 m. Without the prediction it would take twelve: beside a good tape it saves one reading.",
 )
 def readings_needed():

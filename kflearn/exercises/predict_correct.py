@@ -68,7 +68,9 @@ def correct(x, P, z, H, R):
     ],
     wrong=CORRECTION["speedometer"] | LATER["speedometer"],
     unit="m",
-    otherwise=lambda x: f"Your answer moves the position by {x - 60:.3g} m: with an innovation of 3 m/s, a gain K₁ of {(x - 60) / 3:.3g}. Which numbers make K₁?",
+    otherwise=lambda x: (
+        f"Your answer moves the position by {x - 60:.3g} m: with an innovation of 3 m/s, a gain K₁ of {(x - 60) / 3:.3g}. Which numbers make K₁?"
+    ),
     then="A speedometer has corrected a position, through the corner of P⁻. The variance of the position falls from 20 to 20 − 6/5 · 6 = 12.8 m².",
 )
 def speedometer():

@@ -35,7 +35,9 @@ from kflearn.exercises.engine import exercise
     }
     | SLIPS["three_readings"],
     unit="m",
-    otherwise=lambda mean: f"Three readings with this mean add up to {3 * mean:.4g} m. What do 61, 62 and 66 m add up to?",
+    otherwise=lambda mean: (
+        f"Three readings with this mean add up to {3 * mean:.4g} m. What do 61, 62 and 66 m add up to?"
+    ),
     then="Two readings lie below the mean, by 2 m and 1 m, and one above it, by 3 m: the distances on both sides are equal.",
 )
 def three_readings():
@@ -138,7 +140,9 @@ def update_mean(mean, n, z):
     },
     unit="m²",
     rtol=5e-3,
-    otherwise=lambda R: f"Your R says that σ is its root, {math.sqrt(R):.3g} m. What is σ, if ±6 m hold 95 % of the readings?",
+    otherwise=lambda R: (
+        f"Your R says that σ is its root, {math.sqrt(R):.3g} m. What is σ, if ±6 m hold 95 % of the readings?"
+    ),
     also=[(6 / 1.96) ** 2],
     then="With 1.96 in place of 2 it is 9.37 m², which is right as well: no data sheet is as exact as that.",
 )

@@ -25,7 +25,9 @@ from kflearn.exercises.engine import exercise
     ],
     wrong=WRONG["steady_sigma"] | LATER["steady_sigma"],
     unit="°C",
-    otherwise=lambda sigma: f"σ = {sigma:.3g} °C is a variance of {sigma**2:.3g} °C², and as P = K·R it would need K = {4 * sigma**2:.3g}. Which K solves K² + qK − q = 0?",
+    otherwise=lambda sigma: (
+        f"σ = {sigma:.3g} °C is a variance of {sigma**2:.3g} °C², and as P = K·R it would need K = {4 * sigma**2:.3g}. Which K solves K² + qK − q = 0?"
+    ),
     then="The filter claims ±0.43 °C (two sigmas), where the thermometer alone has ±1 °C.",
 )
 def steady_sigma():
@@ -70,8 +72,8 @@ def data_sheets():
         ),
         "both down": ("D", "That makes the band narrower still. The claim, 0.09 V, is too small already."),
         "A and B": (
-            "AB",
-            "Both up, but by which factors? Say it with one letter, if you mean the same factor; different ones change the ratio.",
+            {"A", "B"},
+            "Both up, but by which factors? If you mean the same factor, one letter says it; different ones change the ratio.",
         ),
         "P₀ up": ("E", "P₀ is forgotten after a few readings; the claim settles at √(K·R) whatever the start was."),
     },

@@ -41,7 +41,9 @@ def table_of(x, y):
     wrong=WRONG["table_length"] | SLIPS["table_length"],
     unit="mm",
     rtol=5e-3,
-    otherwise=lambda sigma: f"A σ of {sigma:.3g} mm is a variance of {sigma**2:.3g} mm². Which variances, and which corner, should make it?",
+    otherwise=lambda sigma: (
+        f"A σ of {sigma:.3g} mm is a variance of {sigma**2:.3g} mm². Which variances, and which corner, should make it?"
+    ),
     then="Errors that are shared cancel in a difference: that is why surveyors, and satellite receivers, measure differences.",
 )
 def table_length():
@@ -59,7 +61,9 @@ def table_length():
     wrong=WRONG["told_speed"] | SLIPS["told_speed"],
     unit="m/s",
     rtol=5e-3,
-    otherwise=lambda speed: f"Your answer adds {(speed - 10) / 3:.3g} m/s for each of the 3 m. Which two entries of P make this number?",
+    otherwise=lambda speed: (
+        f"Your answer adds {(speed - 10) / 3:.3g} m/s for each of the 3 m. Which two entries of P make this number?"
+    ),
     then="In lesson 3 this is K₂, the second entry of the gain: corner over variance. With a tape that errs itself, its variance is added below the line, and the step becomes smaller.",
 )
 def told_speed():

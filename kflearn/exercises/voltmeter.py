@@ -26,7 +26,11 @@ from kflearn.exercises.engine import exercise, judged
         "K = 5 / (5 + 9).",
     ],
     wrong=WRONG["second_gain"] | LATER["second_gain"],
-    otherwise=lambda K: f"A gain of {K:.3g} would need P⁻ = {9 * K / (1 - K):.3g} V² beside R = 9 V². What is P⁻ before the second reading?" if 0 < K < 1 else "A gain lies between 0 and 1: it is a part of the sum P⁻ + R.",
+    otherwise=lambda K: (
+        f"A gain of {K:.3g} would need P⁻ = {9 * K / (1 - K):.3g} V² beside R = 9 V². What is P⁻ before the second reading?"
+        if 0 < K < 1
+        else "A gain lies between 0 and 1: it is a part of the sum P⁻ + R."
+    ),
     then="The next gains are 0.408, 0.426 and 0.431: a few readings later the gain has settled at 0.434, whatever the readings were.",
 )
 def second_gain():
@@ -162,7 +166,9 @@ def auto_start(z, H, R):
         ),
         "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
     },
-    otherwise=lambda error: f"An error of {error:.3g} V is a variance of {error**2:.3g} V². Which variance is left when N(12, 4) is fused with a reading of variance 4?",
+    otherwise=lambda error: (
+        f"An error of {error:.3g} V is a variance of {error**2:.3g} V². Which variance is left when N(12, 4) is fused with a reading of variance 4?"
+    ),
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )
 def best_error():
@@ -181,20 +187,16 @@ def best_error():
     ],
     recording=judge.recording,
     marks=[
-        Mark(
-            "error, compared with that of the best filter",
-            judge.error_ratio,
-            high=1.05,
-            above=judge.of_errors,
-        ),
+        Mark("recordings that begin with z[0] and R", judge.starts, low=100, unit="%", below=judge.of_start),
+        Mark("error, compared with that of the best filter", judge.error_ratio, high=1.05, above=judge.of_errors),
         Mark(
             "truth inside ±2σ where there is a reading",
             judge.inside_readings,
             low=93,
             high=97.5,
             unit="%",
-            below=judge.at_readings,
-            above="The variances are too large. Is each of them the one after the reading, (1 − K)P?",
+            below=judge.of_variances,
+            above=judge.of_variances,
         ),
         Mark(
             "truth inside ±2σ in the gaps",
@@ -203,15 +205,15 @@ def best_error():
             high=99,
             unit="%",
             below=judge.before_gaps,
-            above="In a gap P grows by Q, once for each missing reading, and by no more.",
+            above=judge.too_wide_in_gaps,
         ),
         Mark(
             "mean of error²/P",
             judge.nees,
             low=0.85,
             high=1.15,
-            below="P is too large for these errors: a variance, or a σ?",
-            above="P is too small for these errors: a variance, or a σ?",
+            below=judge.of_variances,
+            above=judge.of_variances,
         ),
     ],
     form=judge.two_series,
