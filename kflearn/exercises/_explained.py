@@ -28,7 +28,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     lead = lead or _not_a_number(results, rights) or _of_matrices(answer, cases, good, names)
     lead = lead or _size(results, rights, cases)
     if not lead:
-        return f"{words} {_placed(results, rights, close) or _rules.share(good, cases)}".rstrip()
+        return " ".join(filter(None, [words, _placed(results, rights, close), _rules.share(good, cases)]))
     return f"{lead} {words[0].upper()}{words[1:]}"
 
 

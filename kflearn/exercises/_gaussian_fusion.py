@@ -2,7 +2,6 @@
 
 import math
 
-
 PRECISIONS = "Precisions add: 1/5 of the prediction, and 1 for each reading."
 CLUES = {
     6: "A reading does not halve the variance each time. Precisions add.",

@@ -23,8 +23,6 @@ WRONG = {
         "variance, n − 1": (7, SCATTER),
         "range": (5, "5 m is the distance from the smallest reading to the largest. Asked is the mean of all three."),
         "by four": (47.25, "You divided by 4. There are three readings."),
-        "geometric": (lambda: (61 * 62 * 66) ** (1 / 3), "That is the geometric mean. Add the three, and divide by 3."),
-        "harmonic": (lambda: 3 / (1 / 61 + 1 / 62 + 1 / 66), "That is the harmonic mean. Add the three, divide by 3."),
     },
     "update_mean": {
         "√n": (

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.stats import chi2, norm
 
 from kflearn.exercises._correction import WRONG as CORRECTION
-from kflearn.exercises._predict_correct import F, P, Q
+from kflearn.exercises._predict_correct import F
 from kflearn.exercises._slips_start import table
 
 
