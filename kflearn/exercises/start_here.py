@@ -38,8 +38,6 @@ from kflearn.exercises.engine import exercise
     otherwise=lambda mean: (
         f"Your answer is {'too high' if mean > 63 else 'too low'}: three readings with this mean add up to {3 * mean:.6g} m. What do 61, 62 and 66 m add up to?"
     ),
-        f"Three readings with this mean add up to {3 * mean:.4g} m. What do 61, 62 and 66 m add up to?"
-    ),
     then="Two readings lie below the mean, by 2 m and 1 m, and one above it, by 3 m: the distances on both sides are equal.",
 )
 def three_readings():
