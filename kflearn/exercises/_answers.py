@@ -94,7 +94,7 @@ def _numbers(answer, right):
     """The answer as an array of the form of `right`; a Misfit says what it is instead."""
     kind = type(answer).__name__
     if answer is None or isinstance(answer, (str, bytes)):
-        raise Misfit("None" if answer is None else f"text (of type {kind}): leave out the quotation marks")
+        raise Misfit("None" if answer is None else f"text (of type {kind}): {_of_text(answer)}")
     if callable(answer):
         raise Misfit("a function: call it and hand in what it returns")
     if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
@@ -119,6 +119,14 @@ def _numbers(answer, right):
         at = tuple(strange[0].tolist())
         raise Misfit(f"{show(array[at])}" if not at else f"{show(array[at])} at {list(at)}")
     return array
+
+
+def _of_text(answer):
+    """What to do with a text that is handed in for a number."""
+    words = answer if isinstance(answer, str) else ""
+    if re.fullmatch(r"[\d\s.,e+()\[\]*/-]*", words):
+        return "leave out the quotation marks"
+    return "write it without quotation marks, words and units"
 
 
 def _close(given, right, rtol, atol=None):

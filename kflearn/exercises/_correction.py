@@ -41,7 +41,7 @@ WRONG = {
         "K": (1.2, "That is the gain K₁. Go on: 60 m plus K₁ times the innovation."),
         "corner over the position's variance": (
             lambda: 60 + 6 / 21 * 3,
-            "You divided by the variance of the position plus R. Here the velocity is read: divide by the variance of the innovation, 4 + 1.",
+            "You divided by the variance of the position, with or without R. Here the velocity is read: divide by the variance of the innovation, 4 + 1.",
         ),
         "both numbers": (lambda: (63.6, 12.4), "Both numbers are right. Give the position alone."),
     },

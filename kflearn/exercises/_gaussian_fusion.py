@@ -2,12 +2,24 @@
 
 import math
 
+PRECISIONS = "Precisions add: 1/5 of the prediction, and 1 for each reading."
+CLUES = {
+    6: "A reading does not halve the variance each time. Precisions add.",
+    7: "Did you take 5 for the precision of the prediction? 5 m² is its variance.",
+    8: "Did you divide one σ by the other? It is precisions that add, 1/σ².",
+    9: "Did you round 0.3² up, or take more than 1/5 away? 1/0.09 is 11.1.",
+    16: "Did you add 5 for the prediction? Its precision is 1/5, and it is there already: it saves readings.",
+}
+
 
 def far_off():
     """What σ so many readings would give."""
     for_each = {n: 1 / math.sqrt(1 / 5 + n) for n in range(1, 31) if n not in (3, 4, 10, 11, 12)}
     verdict = {True: "more than is allowed", False: "good enough, but fewer would do"}
-    return {str(n): (n, f"With {n} readings σ is {s:.2f} m: {verdict[s > 0.3]}.") for n, s in for_each.items()}
+    return {
+        str(n): (n, f"With {n} readings σ is {s:.2f} m: {verdict[s > 0.3]}. {CLUES.get(n, PRECISIONS)}")
+        for n, s in for_each.items()
+    }
 
 
 WRONG = {
@@ -213,6 +225,17 @@ WRONG = {
         ),
         "5/0.09, rounded up": (56, "You divided the variances. With every reading *precisions* add: 1/5 + n."),
         "σ": (0.3, "0.3 m is the σ that is wanted. How many readings bring it about?"),
-        "hundred": (100, "100 readings give σ = 0.1 m: far fewer are enough."),
+        "hundred": (
+            100,
+            "100 readings give σ = 0.1 m, a variance of 0.01 m²: far fewer are enough. σ has to be below 0.3 m.",
+        ),
+        "prediction's precision added": (
+            lambda: 1 / 0.09 + 0.2,
+            "The prediction's precision is there already, and saves readings: take 1/5 away from 1/0.09. And readings come in whole numbers.",
+        ),
+        "prediction's precision 5": (
+            lambda: 1 / 0.09 - 5,
+            "You took 5 for the precision of the prediction. 5 m² is its variance: the precision is 1/5.",
+        ),
     },
 }

@@ -62,3 +62,15 @@ def is_about(answer, value, within=0.01) -> bool:
 def after(value, words, otherwise):
     """A hint that says one thing after a certain answer, and another after any other."""
     return lambda answer: words if is_about(answer, value) else otherwise
+
+
+def sure(words) -> Callable:
+    """A function that says something of an answer, for answers that may be anything: None where it cannot."""
+
+    def said(answer):
+        try:
+            return words(np.asarray(answer, float) if np.ndim(answer) else float(answer))
+        except Exception:  # an answer that is no number, or one that cannot be divided by
+            return None
+
+    return said

@@ -41,6 +41,12 @@ class Mark(NamedTuple):
             return None
         return look(answers, recordings) if callable(look) else look
 
+    def shown(self, number, passes):
+        """A number in three digits, or in as many as show that it does not pass."""
+        texts = [f"{number:.{digits}g}" for digits in (3, 4, 5, 6)]
+        low, high = (-np.inf if self.low is None else self.low), (np.inf if self.high is None else self.high)
+        return next((text for text in texts if passes == (low <= float(text) <= high)), texts[-1])
+
     def wanted(self):
         """The bounds in words."""
         if self.low is None:
@@ -92,7 +98,7 @@ class OpenExercise(Exercise):
 
     def _report(self, answers):
         """Each mark with its number, what is wanted, and what to look at where it does not pass."""
-        truths, lines, faults = [truth for _, truth in self.recordings], [], 0
+        truths, lines, said, faults = [truth for _, truth in self.recordings], [], [], 0
         numbers = [float(mark.value(answers, truths)) for mark in self.marks]
         for mark, number in zip(self.marks, numbers, strict=True):
             if not np.isfinite(number):
@@ -100,9 +106,10 @@ class OpenExercise(Exercise):
         for mark, number in zip(self.marks, numbers, strict=True):
             look = mark.verdict(number, answers, self.recordings)
             faults += look is not None
-            value = f"{number:.3g} {mark.unit}".rstrip()
+            value = f"{mark.shown(number, look is None)} {mark.unit}".rstrip()
             line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
-            lines.append(line + (f". {look}" if look else ""))
+            lines.append(line + (f". {look}" if look and look not in said else ""))
+            said.append(look)
         first = f"On {RECORDINGS} recordings that you have not seen:"
         report = "\n".join([first, *(f"- {line}" for line in lines)])
         return self._right(f"{report}\n\n") if not faults else Outcome("wrong", report)

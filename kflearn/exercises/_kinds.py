@@ -5,10 +5,12 @@ import inspect
 
 import numpy as np
 
-from kflearn.exercises import _rules, progress
-from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, told, unfinished
+from kflearn.exercises import _code_of, _rules, progress
+from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, unfinished
+from kflearn.exercises._explained import explained, raised
 from kflearn.exercises._messages import Message, Outcome
 from kflearn.exercises._solutions import for_a_cell
+from kflearn.exercises._typed import typed
 from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
 
 TRIALS = 20  # random inputs on which a function is tried
@@ -28,7 +30,7 @@ class Exercise:
     rtol, atol : float
     """
 
-    subject, wanted = "your answer", "numbers"
+    subject, wanted, otherwise = "your answer", "numbers", None
 
     def __init__(self, solution, hints, wrong, unit, rtol, atol, then):
         self.name, self.module, self.question = solution.__name__, solution.__module__, inspect.getdoc(solution) or ""
@@ -101,7 +103,7 @@ class ValueExercise(Exercise):
         self.wrong = {label: (value() if callable(value) else value, text) for label, (value, text) in wrong.items()}
         known = {"right answer": right} | {f"right answer {value}": value for value in self.also}
         for label, (value, _) in self.wrong.items():
-            twin = next((other for other in known if self._compare(value, known[other]) is None), None)
+            twin = next((other for other in known if self._same(value, known[other], other in self.wrong)), None)
             if twin:
                 raise ValueError(f"{self.name}: the wrong answer {label!r} cannot be told from the {twin!r}")
             known[label] = value
@@ -115,9 +117,17 @@ class ValueExercise(Exercise):
         complaint = self._compare(answer, self.right)
         if complaint is None or any(self._compare(answer, other) is None for other in self.also):
             return self._right(self._confirmation())
-        lessons = [sentence for value, sentence in self.wrong.values() if self._compare(answer, value) is None]
-        named = None if lessons or "should" in complaint else self._rule(answer)
-        return Outcome("wrong", lessons[0] if lessons else named or complaint)
+        lessons = [sentence for value, sentence in self.wrong.values() if self._same(answer, value, True)]
+        if lessons:
+            rounded = " Or, if you have rounded: give three digits or more." if "rounded" in complaint else ""
+            return Outcome("wrong", lessons[0] + rounded)
+        if "should" in complaint or "rounded" in complaint:
+            return Outcome("wrong", complaint)
+        return Outcome("wrong", self._rule(answer) or (self.otherwise and self.otherwise(answer)) or complaint)
+
+    def _same(self, answer, value, narrow):
+        """Whether an answer is a value; of a wrong one it must be near, as other ideas lead to numbers close to it."""
+        return self._compare(answer, value) is None and (not narrow or typed(answer, value, self.rtol / 5))
 
     def _rule(self, answer):
         """What a rule says of the answer; None where no rule does."""
@@ -169,12 +179,15 @@ class ChoiceExercise(ValueExercise):
         if not given or not (self.lines or given <= self.choices):
             return f"choose from {self._listed(self.choices)}."
         if len(given) > 1 and len(chosen(self.right)) == 1 and not self.lines:
-            return "choose one, please."
+            return "choose one, please. If two of them seem right: which of them is enough alone?"
         if len(given) > max(3, len(self.choices) // 2):
             return "these are too many: choose."
         if stray := given - right:
             return f"the fault is not in line {listed(stray)}." if self.lines else f"it is not {self._listed(stray)}."
         return "that is a part of the answer, but there is more to it."
+
+    def _same(self, answer, value, narrow):
+        return self._compare(answer, value) is None
 
     def _rule(self, answer):
         """No rule speaks of choices."""
@@ -225,7 +238,7 @@ class FunctionExercise(Exercise):
                 raise
             except BaseException as error:
                 known = self._until(answer, results, error)
-                return Outcome("wrong", known) if known else Outcome(*told(error, answer, self._called(case)))
+                return Outcome("wrong", known) if known else Outcome(*raised(self, answer, error, case, number))
             if number == 0:
                 printed.close_after_first(len(self.cases))
         if all(map(unfinished, results)):
@@ -238,7 +251,7 @@ class FunctionExercise(Exercise):
             return self._right(f"Your function agrees with the solution on {len(self.cases)} random inputs.")
         if any(all(self._gives(other, *pair) for pair in zip(self.cases, results, strict=True)) for other in self.also):
             return self._right(f"Your way is right as well: it was tried on {len(self.cases)} random inputs.")
-        return Outcome("wrong", self._lesson(answer, results) or self._explained(answer, results, rights, faults))
+        return Outcome("wrong", self._lesson(answer, results) or explained(self, answer, results, rights, faults))
 
     def _called(self, case):
         """A trial in words."""
@@ -252,7 +265,7 @@ class FunctionExercise(Exercise):
         """The sentences of the wrong functions that give the same results, as far as there are results."""
         for label, (wrong, sentence) in self.wrong.items():
             same = all(self._gives(wrong, *pair) for pair in zip(self.cases, results, strict=False))
-            if same and (label not in self.only_if or _rules.source_has(answer, self.only_if[label])):
+            if same and (label not in self.only_if or _code_of.has(answer, self.only_if[label])):
                 yield sentence
 
     def _until(self, answer, results, error):
@@ -277,21 +290,6 @@ class FunctionExercise(Exercise):
             return fault(result, other, "", self.rtol, atol if self.atol is None else self.atol, False) is None
         except (ValueError, IndexError, TypeError, np.linalg.LinAlgError):
             return False
-
-    def _explained(self, answer, results, rights, faults):
-        """What a rule says of the results, or else the first trial that fails, beside what was expected."""
-        close = lambda one, other: fault(one, other, "", self.rtol, self.atol, False) is None  # noqa: E731
-        if named := _rules.sentence(results, rights, close):
-            return named
-        if _rules.changes(answer, results, self.cases):
-            return _rules.CHANGES
-        first = next(i for i, complaint in enumerate(faults) if complaint)
-        words = f"for `{self._called(self.cases[first])}` {faults[first]}"
-        if name := _rules.unused(answer, self._solve, self.cases, self.parameters, close):
-            instead = "a number, or a name of the notebook, stands in its place, or it is left out"
-            return f"The result does not depend on {name}: {instead}. {words[0].upper()}{words[1:]}"
-        share = _rules.share([not complaint for complaint in faults], self.cases)
-        return f"{words} {share}".rstrip()
 
     def _answer(self):
         """The right answer, for tests."""

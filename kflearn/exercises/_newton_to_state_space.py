@@ -40,6 +40,13 @@ def push_covariance(upper, lower, sigma):
     return sigma**2 * G @ G.T
 
 
+def first_wrong_row(H):
+    """What to look at, for an H of the right form: the first sensor whose row is not right."""
+    rows = {"the tape in metres": [1, 0], "the tape in centimetres": [100, 0], "the speedometer": [0, 3.6]}
+    name = next(name for row, (name, right) in zip(H, rows.items(), strict=True) if not np.allclose(row, right))
+    return f"Look at the row of {name}: what does it show for 1 m and 0 m/s, and what for 0 m and 1 m/s?"
+
+
 WRONG = {
     "motion": {
         "no drag": (

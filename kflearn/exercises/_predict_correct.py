@@ -37,8 +37,8 @@ REMARKS = {
 
 
 def other_letters():
-    """Every set of up to three letters but the right one, with where it ends."""
-    for letters in ("".join(c) for size in (1, 2, 3) for c in itertools.combinations("ABCD", size)):
+    """Every set of letters but the right one, with where it ends."""
+    for letters in ("".join(c) for size in (1, 2, 3, 4) for c in itertools.combinations("ABCD", size)):
         remark = REMARKS.get(letters, "With the wrong sign the correction goes the wrong way.")
         if letters != "ABC":
             alone = "alone ends" if len(letters) == 1 else "together end"
@@ -136,10 +136,6 @@ WRONG = {
         "Q for the position only": (
             lambda: F @ P @ F.T + np.diag([4.0, 0.0]),
             "You added Q for the position only. The velocity has an entry in Q too: 1 at the lower right.",
-        ),
-        "only moved the position": (
-            lambda: [[16, 7], [7, 4]],
-            "In the upper left you forgot a part: P₁₁ + 2·dt·P₁₂ + dt²·P₂₂ + Q₁₁, with the corner counted twice.",
         ),
     },
 }

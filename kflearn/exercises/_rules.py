@@ -7,8 +7,6 @@ The exercises' own sentences come first. A rule speaks only where it explains al
 import copy
 import dis
 import inspect
-import re
-from itertools import pairwise
 
 import numpy as np
 
@@ -30,6 +28,7 @@ TRANSFORMS = [
     (lambda r: r.T if r.ndim == 2 else np.nan, "is the transpose of what is wanted."),
     (lambda r: np.eye(len(r)) - r if r.ndim == 2 and len(r) == len(r.T) else np.nan, "is I minus what is wanted."),
 ]  # fmt: skip
+MOVED = "holds the right numbers, but not all of them at their places."
 CHANGES = (
     "Called twice with the same inputs, your function gives two different results: it draws random numbers of its own, "
     "or keeps something from call to call. Use what it is given, and nothing else."
@@ -50,16 +49,18 @@ def sentence(results, rights, close) -> str | None:
     if not names:
         words = _relation(results, rights, close)
         return words and f"The result {words}"
-    rows = [_row(result, len(names)) for result in results]
-    if any(row is None for row in rows):
+    rows = [row(result, len(names)) for result in results]
+    if any(each is None for each in rows):
         return None
     wanted = [list(parts(right).values()) for right in rights]
     pairs = list(zip(rows, wanted, strict=True))
-    if all(close(one, other) for row, right in pairs for one, other in zip(row, reversed(right), strict=True)):
+    if all(close(one, other) for mine, right in pairs for one, other in zip(mine, reversed(right), strict=True)):
         return f"The results are right, but they are wanted in the other order{_first(names[0])}."
+    if len(names) > 2 and all(np.ndim(each) == 0 for each in (*rows[0], *wanted[0])) and _moved(pairs, close):
+        return "The results are right, but they are wanted in another order."
     told = {}
     for i, name in enumerate(names):
-        mine, theirs = [row[i] for row in rows], [right[i] for right in wanted]
+        mine, theirs = [each[i] for each in rows], [right[i] for right in wanted]
         if not all(map(close, mine, theirs)):
             told[name] = _relation(mine, theirs, close)
     if not told or None in told.values():
@@ -73,7 +74,7 @@ def _first(name):
     return "" if name.startswith("value") else f": first {name}"
 
 
-def _row(result, count):
+def row(result, count):
     """The parts of a result with so many parts, as a list; None where it has another number."""
     found = list(result) if isinstance(result, (list, tuple)) else list(parts(result).values())
     return found if len(found) == count else None
@@ -91,7 +92,32 @@ def _relation(results, rights, close):
         found = [
             words for change, words in TRANSFORMS if all(_equal(close, one, change(right)) for one, right in pairs)
         ]
-    return found[0] if len(found) == 1 else _rounded(pairs) if not found and len(pairs) > 1 else None
+    if found or len(pairs) == 1:
+        return found[0] if len(found) == 1 else MOVED if not found and _moved(pairs, close) else None
+    return _rounded(pairs) or (MOVED if _moved(pairs, close) else _constant(pairs, close))
+
+
+def _moved(pairs, close):
+    """The right numbers, of which there are more than one, at other places."""
+    flat = [(np.sort(np.ravel(one)), np.sort(np.ravel(other))) for one, other in pairs]
+    return flat[0][1].size > 1 and all(one.shape == other.shape and close(one, other) for one, other in flat)
+
+
+def _constant(pairs, close):
+    """The same factor in all trials, or the same term."""
+    ones, others = (
+        np.concatenate([np.ravel(part) for part in side]).astype(float) for side in zip(*pairs, strict=True)
+    )
+    if not (np.isfinite(ones).all() and np.isfinite(others).all()) or np.ptp(others) == 0 or not others.any():
+        return None
+    factor, term = ones @ others / (others @ others), np.mean(ones - others)
+    scale = abs(others).max()
+    if abs(factor) > 1e-6 and all(close(one, factor * other) for one, other in pairs) and abs(factor - 1) > 1e-3:
+        return f"is {factor:.4g} times what is wanted, in every trial: a factor is wrong, or missing."
+    if abs(term) > 1e-3 * scale and all(np.ndim(one) == 0 and close(one, other + term) for one, other in pairs):
+        size = "larger" if term > 0 else "smaller"
+        return f"is {size} by {abs(term):.4g} than what is wanted, in every trial: a term is wrong, or missing."
+    return None
 
 
 def _equal(close, one, other):
@@ -104,35 +130,41 @@ def _rounded(pairs):
     for digits in range(5):
         if all((np.round(right, digits) == result).all() for result, right in pairs):
             return f"is rounded to {digits} digits after the point: return all of them, and round only what you print."
-    if all((np.floor(right) == result).all() for result, right in pairs):
+    if any(all((cut(right) == result).all() for result, right in pairs) for cut in (np.floor, np.trunc)):
         return "lacks its digits after the point: `//` and `int` cut them off, and so does an array of whole numbers."
     return None
 
 
-def unused(function, solve, cases, names, close) -> str | None:
-    """The name of an argument on which the function's result does not depend, though it should; None if there is none.
+def unused(function, solve, cases, names, close) -> list:
+    """The names of the arguments on which the function's result does not depend, though it should.
 
-    Each argument is put in from another trial, where that trial's arguments have the same shapes. An argument that the
-    learner's own code reads is not named: it may cancel, or the trials may not show what it does.
+    Each argument is put in from another trial: one in which all arguments have the same shapes, or any other where
+    there is one argument only. An argument that the learner's own code reads is not named: it may cancel, or the
+    trials may not show what it does.
     """
-    for i, name in enumerate(names):
-        if _reads(function, i):
-            continue
-        seen, needed = 0, 0
-        for case, other in pairwise(cases):
-            if _shapes(case) != _shapes(other):
-                continue
+    return [
+        name
+        for i, name in enumerate(names)
+        if not _reads(function, i) and _matters(function, solve, cases, i, close) == (True, False)
+    ]
+
+
+def _matters(function, solve, cases, i, close):
+    """Whether argument i matters: to the solution, in two trials at least, and to the learner's function in any."""
+    seen, needed = False, 0
+    for number, case in enumerate(cases):
+        alike = [each for each in cases[number + 1 :] if len(case) == 1 or _shapes(each) == _shapes(case)]
+        for other in alike[:2]:
             mixed = (*case[:i], other[i], *case[i + 1 :])
             try:
                 wanted = not _same(solve, case, mixed, close)
-                if wanted and not _same(function, case, mixed, close):
-                    seen += 1
+                seen = seen or (wanted and not _same(function, case, mixed, close))
                 needed += wanted
             except Exception:
                 continue
-        if needed >= 2 and not seen:
-            return name
-    return None
+        if seen or needed >= 4:
+            break
+    return needed >= 2, seen
 
 
 def _reads(function, i) -> bool:
@@ -144,7 +176,8 @@ def _reads(function, i) -> bool:
     if i >= code.co_argcount:
         return True  # it comes in by a star: whatever is done with it cannot be seen
     name = code.co_varnames[i]
-    read = [step.argval for step in dis.get_instructions(code) if not step.opname.startswith(("STORE", "DELETE"))]
+    steps = [step for step in dis.get_instructions(code) if "FAST" in step.opname or "DEREF" in step.opname]
+    read = [step.argval for step in steps if not step.opname.startswith(("STORE", "DELETE"))]
     return any(name == one or (isinstance(one, tuple) and name in one) for one in read)
 
 
@@ -201,14 +234,6 @@ def changes(function, results, cases) -> bool:
         except Exception:  # no numbers, or an error in the second call
             return False
     return False
-
-
-def source_has(function, pattern) -> bool:
-    """Whether a function's source holds a pattern, as far as it can be read."""
-    try:
-        return re.search(pattern, inspect.getsource(function)) is not None
-    except (OSError, TypeError):
-        return True  # it cannot be read: nothing speaks against it
 
 
 def raises(function, case, kind) -> bool:

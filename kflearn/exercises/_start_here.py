@@ -42,8 +42,19 @@ WRONG = {
             0.125,
             "You divided the wrong way round. 2/0.25 = 8 says how many times smaller σ must become.",
         ),
-        "1/0.25": (4, "Four readings halve σ, from 2 m to 1 m. It must become eight times smaller."),
-        **sigma_of((2, 3, 5, 10, 12, 20, 25, 36, 40, 48, 49, 50, 60, 80, 81, 100, 128, 200, 400, 512, 640, 1000)),
+        "1/0.25": (
+            4,
+            "Four readings only halve σ, from 2 m to 1 m. In 1/0.25 the 2 m are left out, and so is the square: σ must become eight times smaller.",
+        ),
+        "three halvings": (
+            12,
+            "Four readings halve σ, and it must be halved three times. The factors multiply, they do not add up to 12.",
+        ),
+        "eight halvings": (
+            24,
+            "24 readings give 2/√24 = 0.41 m. Eight times smaller is three halvings, and each of them takes four times as many readings.",
+        ),
+        **sigma_of((2, 3, 5, 10, 20, 25, 36, 40, 48, 49, 50, 60, 80, 81, 100, 128, 200, 400, 512, 640, 1000)),
         "one": (1, "One reading has σ = 2 m. The mean of n readings has 2/√n m."),
     },
     "update_mean": {

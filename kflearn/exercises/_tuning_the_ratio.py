@@ -9,6 +9,21 @@ def balance(Q, R):
     return (math.sqrt(q**2 + 4 * q) - q) / 2
 
 
+SHEETS = [
+    (2.5**2, "In (a) the sheet gives σ itself: R is its square."),
+    (0.3**2, "In (b), 95 % of the readings lie within ±2σ: halve the 0.6 °C first, then square."),
+    (0.25**2 / 3, "In (c) a reading is rounded by a quarter of a volt at most: R is the square of this limit, over 3."),
+]
+
+
+def sheet_by_sheet(answer):
+    """Which of three variances are right, and what to look at in the others."""
+    faults = [words for value, (right, words) in zip(answer, SHEETS, strict=True) if abs(value / right - 1) > 0.05]
+    good = [letter for letter, (_, words) in zip("abc", SHEETS, strict=True) if words not in faults]
+    right = f"({') and ('.join(good)}) {'is' if len(good) == 1 else 'are'} right. " if good else ""
+    return f"{right}{' '.join(faults)}" if faults else None
+
+
 WRONG = {
     "steady_sigma": {
         "variance": (
@@ -95,7 +110,7 @@ WRONG = {
         ),
         "whole step as limit": (
             (6.25, 0.09, 0.5**2 / 3),
-            "(a) and (b) are right. In (c), rounding to the nearest half volt is wrong by a quarter of a volt at most: a = 0.25 V.",
+            "(a) and (b) are right. In (c), rounding to the nearest half volt is wrong by a quarter of a volt at most: a = 0.25 V, and a is squared before it is divided by 3.",
         ),
         "limit as σ": (
             (6.25, 0.09, 0.0625),

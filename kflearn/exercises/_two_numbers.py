@@ -140,7 +140,10 @@ WRONG = {
         ),
         "one end": (3.0, "3 mm is the σ of one end. The length depends on both ends and on what their errors share."),
         "added σ": (6.0, "The σ's do not add. Variances do, and here twice the corner is subtracted from their sum."),
-        "subtracted σ": (0.0, "That would be so if the two errors were equal, correlation 1. They share only a part."),
+        "subtracted σ": (
+            0.0,
+            "0 would be so if the two errors were equal, with correlation 1. These share only a part: the two variances add up, and twice the corner is subtracted.",
+        ),
         "1 − ρ of σ": (0.6, "A share of the σ's is not enough. Calculate with variances: A P Aᵀ, then the root."),
         "√(1 − ρ²)": (
             1.8,

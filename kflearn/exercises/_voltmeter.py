@@ -158,7 +158,10 @@ WRONG = {
             "NaN equals nothing, not even itself, so x == np.nan is always False: use np.isnan.",
             r"== *(np|numpy|math)?\.?nan|nan *==|float\(.nan.\)",
         ),
-        "always True": (lambda x: True, "Your function says True whatever the state is."),
+        "always True": (
+            lambda x: True,
+            "Your function says True for every state that it was tried on, those without NaN as well: ask each entry with np.isnan.",
+        ),
         "each entry": (
             lambda x: np.isnan(x),
             "You return an answer for each entry. One answer for the whole state is wanted: is any of them True?",

@@ -10,11 +10,12 @@ STEPS = 200
 
 
 class Truth(NamedTuple):
-    """The true voltage, where readings are missing, and what the best filter makes of the recording; (200,) each."""
+    """The true voltage, where readings are missing, what the best filter estimates, (200,) each; and (z[0], R)."""
 
     voltage: np.ndarray
     missing: np.ndarray
     best: np.ndarray
+    start: tuple
 
 
 def recording(rng):
@@ -25,7 +26,7 @@ def recording(rng):
     z = voltage + rng.normal(0, np.sqrt(R), STEPS)
     for first in (rng.integers(20, 80), rng.integers(110, 170)):
         z[first : first + rng.integers(4, 16)] = np.nan
-    return (z, Q, R), Truth(voltage, np.isnan(z), filtered(z, Q, R)[0])
+    return (z, Q, R), Truth(voltage, np.isnan(z), filtered(z, Q, R)[0], (z[0], R))
 
 
 def filtered(z, Q, R, start=None, grow_in_gaps=True):
@@ -67,7 +68,7 @@ def two_series(answer, truth):
 def collected(answers, truths):
     """All estimates, variances, true voltages and gaps, in flat arrays."""
     estimates, variances = (np.concatenate(part) for part in zip(*map(flat, answers), strict=True))
-    return estimates, variances, *(np.concatenate(part) for part in zip(*truths, strict=True))
+    return estimates, variances, *(np.concatenate(part) for part in zip(*(truth[:3] for truth in truths), strict=True))
 
 
 def error_ratio(answers, truths):
@@ -101,7 +102,81 @@ def nees(answers, truths):
     return np.mean((estimates - voltage) ** 2 / variances)
 
 
+def starts(answers, truths):
+    """The share of recordings, in per cent, whose first estimate is z[0] and whose first variance is R."""
+    pairs = zip(answers, truths, strict=True)
+    return 100 * np.mean([_begins(answer, *truth.start) == (True, True) for answer, truth in pairs])
+
+
+def _begins(answer, reading, R):
+    """Whether the first estimate is that reading and the first variance is R; nearly, for a start from a vague belief."""
+    estimates, variances = flat(answer)
+    return abs(estimates[0] - reading) <= 0.05 * np.sqrt(R), abs(variances[0] / R - 1) <= 0.02
+
+
 # ---- what to look at, from what the results do
+
+
+def of_start(answers, recordings):
+    """What to look at where the first estimate or its variance is another."""
+    rows = [(flat(answer), inputs) for answer, (inputs, _) in zip(answers, recordings, strict=True)]
+    if not all(_begins(pair, z[0], R)[0] for pair, (z, _, R) in rows):
+        return "The first estimate has to be the first reading, z[0]."
+    twice = [R * (R + Q) / (2 * R + Q) for _, (_, Q, R) in rows]
+    found = [pair[1][0] for pair, _ in rows]
+    if np.allclose(found, twice, rtol=0.02):
+        return "The first variance is too small: the first reading is the start, and your loop uses it a second time."
+    if np.allclose(np.square(found), [R for _, (*_, R) in rows], rtol=0.02):
+        return "The first variance is √R: R is a variance already."
+    return "The first variance has to be R: nothing but the first reading is known then."
+
+
+def _ratios(answers, recordings):
+    """Each variance over that of the best filter, where there is a reading and in the gaps, without the start."""
+    ratios, gaps = [], []
+    for answer, ((z, Q, R), truth) in zip(answers, recordings, strict=True):
+        ratios.append((flat(answer)[1] / filtered(z, Q, R)[1])[20:])
+        gaps.append(truth.missing[20:])
+    ratios, gaps = np.concatenate(ratios), np.concatenate(gaps)
+    return ratios[~gaps], ratios[gaps]
+
+
+def _are_right(ratios):
+    return np.allclose(ratios, 1, rtol=0.02)
+
+
+def of_variances(answers, recordings):
+    """What to look at where the variances do not fit the errors."""
+    if moves_in_gaps(answers, recordings):
+        return "After a gap the errors are too large for your variances: mend the gaps first."
+    at_readings, in_gaps = _ratios(answers, recordings)
+    if _are_right(at_readings) and _are_right(in_gaps):
+        return "Your variances are right. It is your estimates that are too far off."
+    if np.mean(abs(at_readings - 1) < 0.02) > 0.6:
+        return "At most readings your variances are right; in the gaps, or just after them, they are not."
+    squares = [(a[0], np.square(a[1])) for a in map(flat, answers)]
+    if _are_right(_ratios(squares, recordings)[0]):
+        return "You return σ: a variance is wanted, P itself and not its root."
+    before = [(flat(a)[0], _before(*inputs)) for a, (inputs, _) in zip(answers, recordings, strict=True)]
+    if np.allclose(at_readings, _ratios(before, recordings)[0], rtol=0.02):
+        return "At the readings you return the variance before each of them: wanted is the one after it, (1 − K)P."
+    low, high = np.quantile(at_readings, [0.05, 0.95])
+    return f"At the readings your variances are {low:.2g} to {high:.2g} times those of the best filter. Do they come from this recording's Q and R, with P + Q before each gain and (1 − K)P after it?"
+
+
+def _before(z, Q, R):
+    """The variances before each reading, of the best filter."""
+    variances = filtered(z, Q, R)[1]
+    return np.append(variances[:1], variances[:-1] + Q)
+
+
+def goes_away(answers, recordings):
+    """Whether the estimates move away from the readings."""
+    share = []
+    for answer, ((z, *_), truth) in zip(answers, recordings, strict=True):
+        x = flat(answer)[0]
+        share += ((x[1:] - x[:-1]) * (z[1:] - x[:-1]) < 0)[~truth.missing[1:]].tolist()
+    return np.mean(share) > 0.9
 
 
 def moves_in_gaps(answers, recordings):
@@ -133,11 +208,11 @@ def before_gaps(answers, recordings):
     return "P has to grow by Q for each reading that is missing: yours does not."
 
 
-def at_readings(answers, recordings):
-    """What to look at where too few are inside at readings."""
-    if moves_in_gaps(answers, recordings):
-        return "After a gap the errors are too large for your variances: mend the gaps first."
-    return "The variances are too small. Has P grown by Q before each gain, and is it P that you return, not its root?"
+def too_wide_in_gaps(answers, recordings):
+    """What to look at where too many are inside in the gaps."""
+    if grows_in_gaps(answers, recordings):
+        return "P grows by Q in the gaps, as it should: it is too large already when a gap begins."
+    return "In a gap P grows by Q, once for each missing reading, and by no more."
 
 
 def of_errors(answers, recordings):
@@ -152,6 +227,14 @@ def of_errors(answers, recordings):
     now = [np.mean(np.square(flat(a)[0][50:] - t.best[50:])) for a, (_, t) in zip(answers, recordings, strict=True)]
     if np.mean(late) < 0.01 * np.mean(now):
         return "Your estimates are one reading late: keep x *after* the correction with that reading, not the prediction for it."
+    if goes_away(answers, recordings):
+        return (
+            "Your estimates move away from the readings: what counts is the reading minus x, not x minus the reading."
+        )
+    if all(np.ptp(flat(a)[0]) == 0 for a in answers):
+        return "Your estimate is the same for a whole recording: each reading has to move it, by K times the reading minus x."
+    if all(map(_are_right, _ratios(answers, recordings))):
+        return "Your variances are right, so the gain can be right as well. Look at the line of the estimate: x + K · (reading − x)."
     return "Does the gain come from this recording's Q and R, and is it formed anew for each reading?"
 
 

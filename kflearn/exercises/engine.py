@@ -16,6 +16,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from kflearn.exercises._hints import sure
 from kflearn.exercises._judge import Mark, OpenExercise
 from kflearn.exercises._kinds import ChoiceExercise, Exercise, FunctionExercise, ValueExercise
 from kflearn.exercises._messages import LEAD, Message, Outcome
@@ -24,7 +25,7 @@ __all__ = ["LEAD", "Exercise", "Mark", "Message", "Outcome", "exercise", "exerci
 
 
 def exercise(
-    *, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=()
+    *, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=(), otherwise=None
 ) -> Callable:
     """Make an exercise from its solution function, whose docstring is the question.
 
@@ -52,6 +53,8 @@ def exercise(
         {parameter: why}: inputs that are the same in all trials, or of one size.
     also : list, optional
         Other values that are right, such as one with 1.96 σ where the solution takes 2 σ; or other functions.
+    otherwise : function(answer), optional
+        For a value: what to say of an answer that is in no table, such as what it would mean; None for nothing.
 
     Returns
     -------
@@ -92,7 +95,9 @@ def exercise(
             raise ValueError(f"{solution.__name__}: inputs are given, but the solution has no parameters")
         right = solution()
         is_choice = isinstance(right, (str, bool, np.bool_, set, frozenset))
-        return (ChoiceExercise if is_choice else ValueExercise)(*settings, right, also)
+        made = (ChoiceExercise if is_choice else ValueExercise)(*settings, right, also)
+        made.otherwise = otherwise and sure(otherwise)
+        return made
 
     return make
 

@@ -7,6 +7,7 @@ import numpy as np
 from kflearn.exercises._claimed_and_real import WRONG as LAST
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
+from kflearn.exercises._slips_belief import WRONG as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises.engine import exercise
 
@@ -22,15 +23,18 @@ def two_opinions(rng):
     hints=[
         lambda last: (
             "You have formed K = 0.8333 / (0.8333 + 2). What stands in (12), σ or σ²?"
-            if is_about(last, 62.9412, within=1e-3)
+            if is_about(last, 62.9412, within=2e-4)
             else "The satellite's number is a standard deviation. Formulas (10)–(14) want variances."
         ),
         "The prediction is now N(61.6667, 0.8333), the measurement N(66, 2²). Start with K.",
         "K = 0.8333 / (0.8333 + 4) = 0.1724. Move that fraction of the way from 61.6667 to 66.",
     ],
-    wrong=WRONG["third_opinion"],
+    wrong=WRONG["third_opinion"] | MORE["third_opinion"],
     unit="m",
     rtol=5e-4,
+    otherwise=lambda mean: (
+        f"Your answer lies {(mean - 61.6667) / 4.3333:.3g} of the way from 61.6667 m to 66 m. This share is K: which variance stands on top in it, and which two below?"
+    ),
     then="The satellite moves the mean by only 0.75 m, although it is 4.3 m away. The variance becomes smaller, 0.69 m² in place of 0.83 m²: even an uncertain opinion helps, if its σ is right.",
 )
 def third_opinion():
@@ -46,7 +50,7 @@ def third_opinion():
         "`return mean_x + K * (mean_z - mean_x), var_x * (1 - K)`",
     ],
     inputs=two_opinions,
-    wrong=WRONG["fuse"] | SLIPS["fuse"],
+    wrong=WRONG["fuse"] | SLIPS["fuse"] | MORE["fuse"],
     then="Exchange the two opinions and the result is the same: the formula does not ask which of them came first.",
 )
 def fuse(mean_x, var_x, mean_z, var_z):
@@ -63,6 +67,9 @@ def fuse(mean_x, var_x, mean_z, var_z):
     ],
     wrong=WRONG["readings_needed"],
     unit="readings",
+    otherwise=lambda n: (
+        f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n."
+    ),
     then="Ten readings give 0.313 m and eleven 0.299 m. Without the prediction it would take twelve: beside a good tape it saves one reading.",
 )
 def readings_needed():
@@ -82,7 +89,7 @@ def two_variances(rng):
         "Published: var_x / var_z. Anna: fused / var_z. Ben: var_x / fused; with fused = var_x * var_z / (var_x + var_z).",
     ],
     inputs=two_variances,
-    wrong=LAST["published_claim"],
+    wrong=LAST["published_claim"] | MORE["published_claim"],
     then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's ratio is even larger than that of the published version.",
 )
 def published_claim(var_x, var_z):
@@ -94,7 +101,8 @@ def published_claim(var_x, var_z):
 def three_covariances(rng):
     """P, R and a covariance c between them, with a parabola that has a lowest point."""
     P, R = rng.choice([1.0, 2.0, 4.0, 5.0, 9.0, 16.0], 2, replace=False).tolist()
-    return P, R, float(rng.choice([-0.5, -0.25, 0.25, 0.5, 0.75])) * min(P, R)
+    share = float(rng.choice([-0.5, -0.25, 0.25, 0.5, 0.75, 1.25, 1.25]))  # of the smaller one; 1.25: K beyond 0 or 1
+    return P, R, (share if share**2 * min(P, R) < max(P, R) else 0.5) * min(P, R)
 
 
 @exercise(
@@ -104,7 +112,7 @@ def three_covariances(rng):
         "−2 (1 − K) P + 2 K R + 2 (1 − 2 K) c = 0. Collect what belongs to K: K (P + R − 2 c) = P − c.",
     ],
     inputs=three_covariances,
-    wrong=LAST["common_cause"],
+    wrong=LAST["common_cause"] | MORE["common_cause"],
     then="With c = 0 this is (12). If c is larger than P, K is negative; if it is larger than R, K is above 1: then the best estimate is not even between the two numbers.",
 )
 def common_cause(P, R, c):

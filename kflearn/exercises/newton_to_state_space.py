@@ -4,8 +4,9 @@ import itertools
 
 import numpy as np
 
-from kflearn.exercises._newton_to_state_space import WRONG
+from kflearn.exercises._newton_to_state_space import WRONG, first_wrong_row
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_start import WRONG as MORE
 from kflearn.exercises.engine import exercise
 
 
@@ -22,7 +23,7 @@ def steps_masses_and_drags(rng):
         "`F = np.array([[1, dt - c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]])`, then `return F, np.array([[dt**2 / 2], [dt]]) / mass`",
     ],
     inputs=steps_masses_and_drags,
-    wrong=WRONG["motion"],
+    wrong=WRONG["motion"] | MORE["motion"],
     then="With c = 0 it is the lesson's cart. Unlike (3), this F is not exact: the drag changes during the step, so dt must be short beside m/c.",
 )
 def motion(dt, mass, c):
@@ -140,6 +141,7 @@ def motion(dt, mass, c):
             "The tapes are right. The speedometer does not see the position: its first entry is 0.",
         ),
     },
+    otherwise=first_wrong_row,
     then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )
 def three_sensors():
@@ -157,11 +159,11 @@ IMPOSSIBLE = {"A": "Which two units does A add?", "C": "In which unit is a varia
 def wrong_choices():
     """Every set of letters but the right one, with what to say about it: first what is too much, then what is missing."""
     letters = "ABCDE"
-    for picked in (set(c) for size in range(1, 5) for c in itertools.combinations(letters, size)):
+    for picked in (set(c) for size in range(1, 6) for c in itertools.combinations(letters, size)):
         too_many = [POSSIBLE[letter] for letter in letters if letter in picked and letter in POSSIBLE]
         missing = [IMPOSSIBLE[letter] for letter in letters if letter in IMPOSSIBLE and letter not in picked]
         if too_many:
-            yield picked, " ".join(too_many)
+            yield picked, f"Not all five. {too_many[0]}" if len(picked) == 5 else " ".join(too_many)
         elif missing:
             yield picked, f"Right so far, but {len(missing)} more cannot be right. {missing[0]}"
 
@@ -289,7 +291,7 @@ def steps_and_sigmas(rng):
         "`G = np.array([[T**2 / 2], [T]])`, and Q as before: `return sigma**2 * G @ G.T`",
     ],
     inputs=steps_and_sigmas,
-    wrong=WRONG["held_push"] | SLIPS["held_push"],
+    wrong=WRONG["held_push"] | SLIPS["held_push"] | MORE["held_push"],
     then="At T = 1 s the published G is right, and its program had T = 2 s. Try a formula with a step that is not 1.",
 )
 def held_push(T, sigma):

@@ -6,6 +6,7 @@ from kflearn.exercises._correction import WRONG as CORRECTION
 from kflearn.exercises._predict_correct import WRONG, other_letters
 from kflearn.exercises._predict_correct_misprints import WRONG as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_steps import WRONG as LATER
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -16,7 +17,7 @@ from kflearn.exercises.engine import exercise
         "F P = [[4, 7], [1, 3]]. Fᵀ = [[1, 0], [2, 1]]: the 2 has gone to the other corner.",
         "F P Fᵀ = [[18, 7], [7, 3]]; add 4 and 1 on the diagonal.",
     ],
-    wrong=WRONG["predicted_covariance"],
+    wrong=WRONG["predicted_covariance"] | LATER["predicted_covariance"],
     then="The errors of position and velocity now belong together more closely: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75. The motion alone would make it 7/√54 = 0.95; the bumps lower it again.",
 )
 def predicted_covariance():
@@ -65,8 +66,11 @@ def correct(x, P, z, H, R):
         "P⁻Hᵀ is the second column of P⁻, [6, 4], and the variance of the innovation is 4 + 1 = 5. Which entry of K belongs to the position?",
         "K₁ = 6/5 m per m/s, and the innovation is 13 − 10 = 3 m/s.",
     ],
-    wrong=CORRECTION["speedometer"],
+    wrong=CORRECTION["speedometer"] | LATER["speedometer"],
     unit="m",
+    otherwise=lambda x: (
+        f"Your answer moves the position by {x - 60:.3g} m: with an innovation of 3 m/s, a gain K₁ of {(x - 60) / 3:.3g}. Which numbers make K₁?"
+    ),
     then="A speedometer has corrected a position, through the corner of P⁻. The variance of the position falls from 20 to 20 − 6/5 · 6 = 12.8 m².",
 )
 def speedometer():
@@ -104,8 +108,8 @@ def whole_steps(rng, n, m):
         "Line two is eq (6): F on the left and Fᵀ on the right move the errors, then Q is added. In line four x_pred has been moved already.",
         "P_pred = F @ P @ F.T + Q, and x_new = x_pred + K @ (z - H @ x_pred); the other lines stay.",
     ],
-    inputs=in_turn(whole_steps, (1, 1), (2, 1), (3, 2), (2, 2)),
-    wrong=MORE["misprints"],
+    inputs=in_turn(whole_steps, (1, 1), (2, 2), (3, 3), (2, 2), (2, 1), (3, 2)),
+    wrong=MORE["misprints"] | LATER["misprints"],
     then="A covariance is symmetric, and P·F·P is not as soon as the velocity is uncertain: a test of symmetry would have found this misprint.",
 )
 def misprints(x, P, z, F, H, Q, R):

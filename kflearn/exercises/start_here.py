@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import is_about
+from kflearn.exercises._slips_start import WRONG as SLIPS
 from kflearn.exercises._start_here import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -31,8 +32,12 @@ from kflearn.exercises.engine import exercise
         "the first two": (61.5, "61.5 is the mean of the first two readings. The third counts as much as they do."),
         "the largest": (66, "66 is the largest reading. The mean uses all three."),
         "the smallest": (61, "61 is the smallest reading. The mean uses all three."),
-    },
+    }
+    | SLIPS["three_readings"],
     unit="m",
+    otherwise=lambda mean: (
+        f"Your answer is {'too high' if mean > 63 else 'too low'}: three readings with this mean add up to {3 * mean:.6g} m. What do 61, 62 and 66 m add up to?"
+    ),
     then="Two readings lie below the mean, by 2 m and 1 m, and one above it, by 3 m: the distances on both sides are equal.",
 )
 def three_readings():
@@ -48,6 +53,7 @@ def three_readings():
     ],
     wrong=WRONG["readings_needed"],
     unit="readings",
+    otherwise=lambda n: f"With n = {n:.4g}, 2/√n is {2 / math.sqrt(n):.3g} m. Solve 2/√n = 0.25 for n.",
     then="For 0.025 m you would need 6,400 readings: one more digit costs a hundred times as many.",
 )
 def readings_needed():
@@ -68,7 +74,7 @@ def next_readings(rng):
         "`return mean + (z - mean) / n`",
     ],
     inputs=next_readings,
-    wrong=WRONG["update_mean"],
+    wrong=WRONG["update_mean"] | SLIPS["update_mean"],
     then="The gain 1/n goes to zero: the thousandth reading moves the mean by a thousandth of the surprise. If the length changes after all, the mean hardly follows.",
 )
 def update_mean(mean, n, z):
@@ -106,7 +112,11 @@ def update_mean(mean, n, z):
             lambda: math.sqrt(3),
             "You took the root of σ. From a standard deviation to a variance you square.",
         ),
-        "12": (12, "12 is neither (6/2)² nor 6²: halve the 6 m first, then square the result."),
+        "12": (
+            12,
+            "12 is 6²/3, which is for an error that is never beyond its bound, or 2 · 6. Here 5 % of the readings lie outside: 6 m is 2σ. Halve it, then square.",
+        ),
+        "root of 6": (lambda: math.sqrt(6), "You took the root of the 6 m. R is a square: that of σ, and 6 m is 2σ."),
         "half of half": (2.25, "You took 6 m for the whole width. It is ±6 m, so the width is 12 m, and 6 m is 2σ."),
         "6 by 2² the wrong way": (1.5, "You divided by 2². The 2 belongs to σ = 6/2; then square."),
         "95 % of it": (
@@ -130,6 +140,9 @@ def update_mean(mean, n, z):
     },
     unit="m²",
     rtol=5e-3,
+    otherwise=lambda R: (
+        f"Your R says that σ is its root, {math.sqrt(R):.3g} m. What is σ, if ±6 m hold 95 % of the readings?"
+    ),
     also=[(6 / 1.96) ** 2],
     then="With 1.96 in place of 2 it is 9.37 m², which is right as well: no data sheet is as exact as that.",
 )
@@ -151,7 +164,7 @@ def errors(rng, n):
         "`return np.sqrt(np.mean(error**2))`",
     ],
     inputs=in_turn(errors, 2, 6, 9, 3),
-    wrong=WRONG["root_mean_square"],
+    wrong=WRONG["root_mean_square"] | SLIPS["root_mean_square"],
     unit="m",
     then="For normally distributed errors the mean absolute error is 0.80 σ: that is why the published line looks a fifth better than it is.",
 )

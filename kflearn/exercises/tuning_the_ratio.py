@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import is_about
+from kflearn.exercises._slips_balance import WRONG as LATER
 from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._tuning_the_ratio import WRONG
+from kflearn.exercises._tuning_the_ratio import WRONG, sheet_by_sheet
 from kflearn.exercises._tuning_the_ratio_readings import WRONG as MORE
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -22,8 +23,11 @@ from kflearn.exercises.engine import exercise
         "q = 0.04. K solves K² + qK − q = 0, and the variance after a reading is K·R.",
         "K = (√(0.0016 + 0.16) − 0.04)/2 = 0.1810; P = 0.1810 · 0.25 = 0.04525 °C²; σ = √P = 0.2127 °C.",
     ],
-    wrong=WRONG["steady_sigma"],
+    wrong=WRONG["steady_sigma"] | LATER["steady_sigma"],
     unit="°C",
+    otherwise=lambda sigma: (
+        f"σ = {sigma:.3g} °C is a variance of {sigma**2:.3g} °C², and as P = K·R it would need K = {4 * sigma**2:.3g}. Which K solves K² + qK − q = 0?"
+    ),
     then="The filter claims ±0.43 °C (two sigmas), where the thermometer alone has ±1 °C.",
 )
 def steady_sigma():
@@ -42,6 +46,7 @@ def steady_sigma():
     ],
     wrong=WRONG["data_sheets"],
     rtol=5e-3,
+    otherwise=sheet_by_sheet,
     then="With 1.96 in place of 2, (b) is 0.0937 °C², which is right as well. The σ of the rounding, 0.144 V, is less than a third of the step.",
     also=[(2.5**2, (0.6 / 1.96) ** 2, 0.25**2 / 3)],
 )
@@ -66,6 +71,10 @@ def data_sheets():
             "A larger R widens the band, but it changes the ratio too: the estimate becomes late. Keep Q/R.",
         ),
         "both down": ("D", "That makes the band narrower still. The claim, 0.09 V, is too small already."),
+        "A and B": (
+            {"A", "B"},
+            "Both up, but by which factors? If you mean the same factor, one letter says it; different ones change the ratio.",
+        ),
         "P₀ up": ("E", "P₀ is forgotten after a few readings; the claim settles at √(K·R) whatever the start was."),
     },
     then="Q and R multiplied by the same factor leave the gain as it was, and so the line; σ grows by the root of the factor. Nine times both turns 0.09 V into 0.27 V.",
@@ -88,7 +97,7 @@ def recordings_at_rest(rng, n):
     ],
     inputs=in_turn(recordings_at_rest, 250, 400, 1000),
     rtol=5e-3,
-    wrong=MORE["three_sigma"],
+    wrong=MORE["three_sigma"] | LATER["three_sigma"],
     then="With R nine times too large the gain at Q = R falls from 0.62 to 0.28, and the estimate comes late.",
 )
 def three_sigma(at_rest):
@@ -111,8 +120,13 @@ def drifting_recordings(rng, n):
     ],
     inputs=in_turn(drifting_recordings, 300, 400, 900),
     rtol=7e-3,
-    also=[lambda readings: np.mean(np.diff(readings, n=2) ** 2) / 6],
-    wrong=MORE["R_with_drift"] | SLIPS["R_with_drift"],
+    also=[
+        lambda readings: np.mean(np.diff(readings, n=2) ** 2) / 6,
+        lambda readings: np.mean(np.diff(readings, n=3) ** 2) / 20,
+        lambda readings: np.mean(abs(np.diff(readings))) ** 2 * np.pi / 4,
+        lambda readings: (1.4826 * np.median(abs(np.diff(readings)))) ** 2 / 2,
+    ],
+    wrong=MORE["R_with_drift"] | SLIPS["R_with_drift"] | LATER["R_with_drift"],
     then="It works as long as the drift from one reading to the next is small beside the noise. What would a sudden step of the source do to it?",
 )
 def R_with_drift(readings):

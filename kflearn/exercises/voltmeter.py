@@ -7,6 +7,7 @@ import numpy as np
 from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
+from kflearn.exercises._slips_balance import WRONG as LATER
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._voltmeter import WRONG
@@ -24,7 +25,12 @@ from kflearn.exercises.engine import exercise, judged
         "Before the second reading P has grown from 2 to 2 + Q.",
         "K = 5 / (5 + 9).",
     ],
-    wrong=WRONG["second_gain"],
+    wrong=WRONG["second_gain"] | LATER["second_gain"],
+    otherwise=lambda K: (
+        f"A gain of {K:.3g} would need P⁻ = {9 * K / (1 - K):.3g} V² beside R = 9 V². What is P⁻ before the second reading?"
+        if 0 < K < 1
+        else "A gain lies between 0 and 1: it is a part of the sum P⁻ + R."
+    ),
     then="The next gains are 0.408, 0.426 and 0.431: a few readings later the gain has settled at 0.434, whatever the readings were.",
 )
 def second_gain():
@@ -46,7 +52,7 @@ def noises(rng):
     ],
     inputs=noises,
     rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
-    wrong=WRONG["steady_gain"] | SLIPS["steady_gain"],
+    wrong=WRONG["steady_gain"] | SLIPS["steady_gain"] | LATER["steady_gain"],
     then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
 def steady_gain(Q, R):
@@ -71,7 +77,7 @@ def starts(rng, n):
         "`return np.isnan(x).any()`",
     ],
     inputs=in_turn(starts, 1, 3, 2, 5),
-    wrong=WRONG["is_unknown"] | SLIPS["is_unknown"],
+    wrong=LATER["is_unknown"] | WRONG["is_unknown"] | SLIPS["is_unknown"],
     then="One NaN spreads at once: in F @ x each entry becomes NaN, even where F has a zero, because 0 · NaN is NaN.",
 )
 def is_unknown(x):
@@ -146,8 +152,23 @@ def auto_start(z, H, R):
             1.35,
             "1.35 V is the filter's error for a source that does not move. Here it jumps about 12 V.",
         ),
+        "filter's gain": (
+            lambda: 2 * math.hypot(0.381966, 0.618034),
+            "That is the error with the gain 0.618 of the filter with its random walk. Here the gain comes from N(12, 4) and a reading with the variance 4.",
+        ),
+        "4 taken for a σ": (
+            lambda: math.sqrt(64 / 20),
+            "You took a 4 for a standard deviation. In N(12, 4) it is a variance, and the reading's 4 V² is one too.",
+        ),
+        "average's error": (
+            0.739,
+            "0.739 V is the error of an average where the source does not move. Here it is drawn anew each time.",
+        ),
         "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
     },
+    otherwise=lambda error: (
+        f"An error of {error:.3g} V is a variance of {error**2:.3g} V². Which variance is left when N(12, 4) is fused with a reading of variance 4?"
+    ),
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )
 def best_error():
@@ -166,20 +187,16 @@ def best_error():
     ],
     recording=judge.recording,
     marks=[
-        Mark(
-            "error, compared with that of the best filter",
-            judge.error_ratio,
-            high=1.05,
-            above=judge.of_errors,
-        ),
+        Mark("recordings that begin with z[0] and R", judge.starts, low=100, unit="%", below=judge.of_start),
+        Mark("error, compared with that of the best filter", judge.error_ratio, high=1.05, above=judge.of_errors),
         Mark(
             "truth inside ±2σ where there is a reading",
             judge.inside_readings,
             low=93,
             high=97.5,
             unit="%",
-            below=judge.at_readings,
-            above="The variances are too large. Is each of them the one after the reading, (1 − K)P?",
+            below=judge.of_variances,
+            above=judge.of_variances,
         ),
         Mark(
             "truth inside ±2σ in the gaps",
@@ -188,15 +205,15 @@ def best_error():
             high=99,
             unit="%",
             below=judge.before_gaps,
-            above="In a gap P grows by Q, once for each missing reading, and by no more.",
+            above=judge.too_wide_in_gaps,
         ),
         Mark(
             "mean of error²/P",
             judge.nees,
             low=0.85,
             high=1.15,
-            below="P is too large for these errors: a variance, or a σ?",
-            above="P is too small for these errors: a variance, or a σ?",
+            below=judge.of_variances,
+            above=judge.of_variances,
         ),
     ],
     form=judge.two_series,

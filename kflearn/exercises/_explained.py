@@ -1,0 +1,144 @@
+"""What is said of a function that is wrong and in no table: what its results, or its code, have in common.
+
+Whatever is said here is true of all trials, or of the learner's own code.
+"""
+
+import re
+
+import numpy as np
+
+from kflearn.exercises import _code_of, _rules
+from kflearn.exercises._answers import fault, parts, told
+
+FULL = 12  # the entries of a matrix that are looked at one by one
+
+
+def explained(exercise, answer, results, rights, faults) -> str:
+    """The sentence for results that are wrong: a rule that explains all of them, or else the first trial that fails."""
+    close = lambda one, other: fault(one, other, "", exercise.rtol, exercise.atol, False) is None  # noqa: E731
+    cases, names = exercise.cases, exercise.parameters
+    if named := _rules.sentence(results, rights, close):
+        return named
+    if _rules.changes(answer, results, cases):
+        return _rules.CHANGES
+    good = [not complaint for complaint in faults]
+    first = good.index(False)
+    words = f"for `{exercise._called(cases[first])}` {faults[first]}"
+    lead = _unused(exercise, answer, close) or _of_the_notebook(answer, names)
+    lead = lead or _not_a_number(results, rights) or _of_matrices(answer, cases, good, names)
+    lead = lead or _size(results, rights, cases)
+    if not lead:
+        return " ".join(filter(None, [words, _placed(results, rights, close), _rules.share(good, cases)]))
+    return f"{lead} {words[0].upper()}{words[1:]}"
+
+
+def raised(exercise, answer, error, case, number) -> tuple[str, str]:
+    """The status and the sentence for a function that raised in a trial, after so many trials that it stood."""
+    status, sentence = told(error, answer, exercise._called(case))
+    if status != "raised":
+        return status, sentence
+    sizes = len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
+    remark = _of_the_notebook(answer, exercise.parameters)
+    if not remark and sizes and (found := _typed_eye(answer)):
+        remark = f"`{found}` has a fixed size, and the trials have several: the identity that fits is `np.eye(len(x))`."
+    if not remark and sizes and isinstance(error, IndexError):
+        remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
+    if not remark and sizes and number and isinstance(error, ValueError):
+        remark = "The trials have several sizes: is a size typed in, or does a product need a transpose?"
+    return status, f"{sentence} {remark}".rstrip()
+
+
+def _typed_eye(answer):
+    """A call such as np.eye(2) in a function's text."""
+    found = re.search(r"(np\.|numpy\.)?(eye|identity)\(\d\)", _code_of.text_of(answer) or "")
+    return found and found[0]
+
+
+def _unused(exercise, answer, close):
+    """Which arguments do not matter, though they should."""
+    names = _rules.unused(answer, exercise._solve, exercise.cases, exercise.parameters, close)
+    if not names:
+        return ""
+    instead = "a number, or a name of the notebook, stands in its place, or it is left out"
+    return f"The result does not depend on {' and '.join(names)}: {instead}."
+
+
+def _of_the_notebook(answer, parameters):
+    """Names of the notebook that the function reads."""
+    names = _code_of.names_of_the_notebook(answer)
+    if not names:
+        return ""
+    listed = " and ".join(f"`{name}`" for name in names[:3])
+    are = "is a name of the notebook and not an argument" if len(names) == 1 else "are names of the notebook"
+    return f"Your function reads {listed}, which {are}: is that meant? It is given {', '.join(parameters)}."
+
+
+def _not_a_number(results, rights):
+    """NaN where a number is wanted."""
+    try:
+        pairs = [(np.asarray(one, float), np.asarray(other, float)) for one, other in zip(results, rights, strict=True)]
+    except (TypeError, ValueError):
+        return ""
+    if all(np.isnan(one).any() and np.isfinite(other).all() for one, other in pairs):
+        return "The result is NaN: is it the root, or the logarithm, of a negative number?"
+    return ""
+
+
+def _of_matrices(answer, cases, good, names):
+    """Right where a matrix holds one number, wrong for all others: what is different for matrices."""
+    found = [i for i, part in enumerate(cases[0]) if np.ndim(part) == 2]
+    alike = [names[i] for i in found if [np.size(case[i]) == 1 for case in cases] == good]
+    if not alike or not any(good):
+        return ""
+    lead = f"That is right only where {alike[-1]} holds a single number."
+    if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
+        return f"{lead} `1 / S` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv(S)`."
+    if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
+        return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
+    return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."
+
+
+def _size(results, rights, cases):
+    """Wrong by a factor that follows the number of values that come in."""
+    sizes = np.array([max((np.size(part) for part in case), default=1) for case in cases], float)
+    try:
+        ratios = [np.ravel(one) / np.ravel(other) for one, other in zip(results, rights, strict=True)]
+        first = np.array([row[np.isfinite(row)][0] for row in ratios])
+        same = all(np.allclose(row[np.isfinite(row)], one, rtol=1e-6) for row, one in zip(ratios, first, strict=True))
+    except (IndexError, TypeError, ValueError):
+        return ""
+    if same and len(set(sizes)) > 2:
+        for power in (1, -1, 0.5, -0.5):
+            if np.allclose(first / sizes**power, first[0] / sizes[0] ** power, rtol=1e-6):
+                return "The result is wrong by a factor that follows how many numbers come in: is one of these numbers typed in, or a division by `len(...)` missing?"
+    return ""
+
+
+def _placed(results, rights, close):
+    """What is right in all trials, and what is not, of a result of several parts or a small matrix."""
+    wanted = [list(parts(right).values()) or [right] for right in rights]
+    rows = [_rules.row(result, len(wanted[0])) if parts(rights[0]) else [result] for result in results]
+    if any(row is None for row in rows):
+        return ""
+    count, said = len(wanted[0]), []
+    for i in range(count):
+        name = f"value {i + 1} of the result" if count > 1 else "the result"
+        said.append(_entries(name, [row[i] for row in rows], [right[i] for right in wanted], close, count > 1))
+    return " ".join(filter(None, said))
+
+
+def _entries(name, mine, theirs, close, several):
+    """What is right of one part in all trials."""
+    try:
+        pairs = [(np.asarray(one, float), np.asarray(other, float)) for one, other in zip(mine, theirs, strict=True)]
+    except (TypeError, ValueError):
+        return ""
+    if all(close(one, other) for one, other in pairs):
+        return f"{name[0].upper()}{name[1:]} is right in all trials." if several else ""
+    shape = pairs[0][1].shape
+    if any(one.shape != shape or other.shape != shape for one, other in pairs) or not 1 < np.prod(shape) <= FULL:
+        return ""
+    wrong = [at for at in np.ndindex(shape) if not all(close(one[at], other[at]) for one, other in pairs)]
+    if len(wrong) == np.prod(shape):
+        return ""
+    return f"Of {name} only {', '.join(str(list(at)) for at in wrong)} is wrong."
