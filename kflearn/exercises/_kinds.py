@@ -5,7 +5,7 @@ import inspect
 
 import numpy as np
 
-from kflearn.exercises import _rules, progress
+from kflearn.exercises import _rules, _rules_inputs, progress
 from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, told, unfinished
 from kflearn.exercises._messages import Message, Outcome
 from kflearn.exercises._solutions import for_a_cell
@@ -285,6 +285,8 @@ class FunctionExercise(Exercise):
             return named
         if _rules.changes(answer, results, self.cases):
             return _rules.CHANGES
+        if named := _rules_inputs.as_if(results, self, close):
+            return named
         first = next(i for i, complaint in enumerate(faults) if complaint)
         words = f"for `{self._called(self.cases[first])}` {faults[first]}"
         if name := _rules.unused(answer, self._solve, self.cases, self.parameters, close):

@@ -12,6 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from kflearn.exercises import _rules_inputs
 from kflearn.exercises._answers import parts
 
 # What each rule makes of the right result, and what is said of an answer that is equal to that
@@ -52,7 +53,7 @@ def sentence(results, rights, close) -> str | None:
         return words and f"The result {words}"
     rows = [_row(result, len(names)) for result in results]
     if any(row is None for row in rows):
-        return None
+        return _rules_inputs.one_of(results, rights, names, close)
     wanted = [list(parts(right).values()) for right in rights]
     pairs = list(zip(rows, wanted, strict=True))
     if all(close(one, other) for row, right in pairs for one, other in zip(row, reversed(right), strict=True)):
@@ -65,7 +66,7 @@ def sentence(results, rights, close) -> str | None:
     if not told or None in told.values():
         return None
     others = "The rest is right. " if len(told) < len(names) else ""
-    return others + " ".join(f"{name[0].upper()}{name[1:]} of the result {words}" for name, words in told.items())
+    return others + " ".join(_rules_inputs.once_each(told))
 
 
 def _first(name):
@@ -85,7 +86,7 @@ def _relation(results, rights, close):
         pairs = [(np.asarray(one), np.asarray(other)) for one, other in zip(results, rights, strict=True)]
     except (TypeError, ValueError, OverflowError):  # rows of unequal length, and what else is no array
         return None
-    if any(one.shape != other.shape or one.dtype.kind not in "iuf" for one, other in pairs):
+    if any(one.shape != other.shape or {one.dtype.kind, other.dtype.kind} - set("iuf") for one, other in pairs):
         return None
     with np.errstate(all="ignore"):
         found = [
@@ -144,7 +145,8 @@ def _reads(function, i) -> bool:
     if i >= code.co_argcount:
         return True  # it comes in by a star: whatever is done with it cannot be seen
     name = code.co_varnames[i]
-    read = [step.argval for step in dis.get_instructions(code) if not step.opname.startswith(("STORE", "DELETE"))]
+    others = ("STORE", "DELETE", "LOAD_ATTR", "LOAD_METHOD", "LOAD_GLOBAL", "LOAD_CONST")
+    read = [step.argval for step in dis.get_instructions(code) if not step.opname.startswith(others)]
     return any(name == one or (isinstance(one, tuple) and name in one) for one in read)
 
 

@@ -7,6 +7,7 @@ from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
+from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, of_claims, of_errors, recording
@@ -19,7 +20,7 @@ from kflearn.exercises.engine import Mark, exercise, judged
         "With 50 · 2 = 100. Cut off 2.5 % at either end of that distribution, and remember that the average was asked for.",
         "chi2.ppf([0.025, 0.975], 100) / 50, or chi_square_interval(dof=2, runs=50).",
     ],
-    wrong=WRONG["interval"],
+    wrong=WRONG["interval"] | MORE["interval"],
     rtol=5e-3,
     then="Runs pay off slowly: with 1,000 of them the limits are 1.88 and 2.13, so smaller faults are found.",
 )
@@ -41,7 +42,7 @@ def errors_and_claims(rng, n):
         "return e @ np.linalg.solve(P, e)",
     ],
     inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
-    wrong=WRONG["nees"] | SLIPS["nees"],
+    wrong=WRONG["nees"] | SLIPS["nees"] | MORE["nees"],
     then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
 def nees(e, P):
@@ -98,7 +99,7 @@ def errors_and_variances(rng, count):
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
     inputs=in_turn(errors_and_variances, 5, 12, 60, 7),
-    wrong=WRONG["share_inside"] | SLIPS["share_inside"],
+    wrong=WRONG["share_inside"] | SLIPS["share_inside"] | MORE["share_inside"],
     then="Of one number 68.3 % should be inside. Of a state with two components only 39 % belong inside its 1σ ellipse: why fewer?",
 )
 def share_inside(e, P):
@@ -118,7 +119,7 @@ def start_beliefs(rng, n):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
-    wrong=WRONG["draw_start"] | SLIPS["draw_start"],
+    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )
 def draw_start(mean, variances, normal):
