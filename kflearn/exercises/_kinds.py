@@ -285,7 +285,7 @@ class FunctionExercise(Exercise):
             return named
         if _rules.changes(answer, results, self.cases):
             return _rules.CHANGES
-        if named := _rules_inputs.as_if(results, self, close):
+        if named := _rules_inputs.sentence(answer, results, self, close, _rules._reads):
             return named
         first = next(i for i, complaint in enumerate(faults) if complaint)
         words = f"for `{self._called(self.cases[first])}` {faults[first]}"

@@ -3,7 +3,7 @@ one squared, one left out), or where a part of its results is missing.
 """
 
 import copy
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -34,10 +34,15 @@ def _square(value):
 
 
 def _row(value):
-    """The value, where it is an array."""
-    if np.ndim(value) == 0:
+    """The value, where it is a series."""
+    if np.ndim(value) != 1:
         raise ValueError
     return np.asarray(value)
+
+
+def sentence(function, results, exercise, close, reads) -> str | None:
+    """What is said of a function that is right for other arguments, or for which one does not matter."""
+    return as_if(results, exercise, close) or blind(function, exercise, close, reads)
 
 
 def as_if(results, exercise, close) -> str | None:
@@ -54,11 +59,36 @@ def as_if(results, exercise, close) -> str | None:
         for i, j in combinations(range(len(names)), 2)
         if fits(lambda case, i=i, j=j: _exchanged(case, i, j))
     ]
+    for i, j in permutations(range(len(names)), 2):
+        if fits(lambda case, i=i, j=j: _exchanged(case, i, j)[: i + 1] + case[i + 1 :]):
+            found = [f"{names[j]} in place of {names[i]}."]
     for i, name in enumerate(names):
         for change, words in CHANGED:
-            if fits(lambda case, i=i, change=change: (*case[:i], change(case[i]), *case[i + 1 :])):
+            if name not in exercise.fixed and fits(lambda case, i=i, c=change: (*case[:i], c(case[i]), *case[i + 1 :])):
                 found.append(words.format(a=name))
     return f"The result is what would be right for {found[0]}" if len(found) == 1 else None
+
+
+def blind(function, exercise, close, reads) -> str | None:
+    """Which argument is read, and yet its values do not matter; None where each of them matters."""
+    solve, names = exercise._solve, exercise.parameters
+    for i, name in enumerate(names):
+        told = [_moves(function, solve, case, i, close) for case in exercise.cases] if reads(function, i) else []
+        if told.count(False) >= 3 and True not in told:
+            return f"The result stays the same when {name} has other values: something else stands in its place."
+    return None
+
+
+def _moves(function, solve, case, i, close):
+    """Whether a function's numbers change with the argument, where those of the solution do; else None."""
+    try:
+        other = (*case[:i], 1.37 * np.asarray(case[i], float) + 0.61, *case[i + 1 :])
+        before, after, *right = (each(*copy.deepcopy(c)) for each in (function, solve) for c in (case, other))
+        if np.asarray(_values(right[0])[0]).dtype.kind != "f" or all(map(close, *map(_values, right))):
+            return None
+        return not all(np.array_equal(*pair) for pair in zip(_values(before), _values(after), strict=True))
+    except Exception:  # values that cannot be changed so
+        return None
 
 
 def _exchanged(case, i, j):
