@@ -102,7 +102,8 @@ class OpenExercise(Exercise):
             faults += look is not None
             value = f"{number:.3g} {mark.unit}".rstrip()
             line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
-            lines.append(line + (f". {look}" if look else ""))
+            said = f". {look}" if look and not any(look in earlier for earlier in lines) else ""
+            lines.append(line + said)
         first = f"On {RECORDINGS} recordings that you have not seen:"
         report = "\n".join([first, *(f"- {line}" for line in lines)])
         return self._right(f"{report}\n\n") if not faults else Outcome("wrong", report)

@@ -10,7 +10,7 @@ from kflearn.exercises._judge import nees as nees_of_all
 from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, of_claims, of_errors, recording
+from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, look, recording
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -140,7 +140,7 @@ def draw_start(mean, variances, normal):
             "position error (rms)",
             rms(0),
             high=7.5,
-            above=of_errors,
+            above=look("That is more than a filter with the right R needs. Does each recording get an R of its own?"),
             unit="m",
         ),
         Mark(
@@ -148,8 +148,8 @@ def draw_start(mean, variances, normal):
             inside(0),
             90,
             98,
-            below=of_claims,
-            above="The claim is too large: fewer would be inside with an honest σ.",
+            below=look("The claim is too small: is R the variance, and does every recording get its own?"),
+            above=look("The claim is too large: fewer would be inside with an honest σ."),
             unit="%",
         ),
         Mark(
@@ -157,14 +157,16 @@ def draw_start(mean, variances, normal):
             nees_of_all(),
             0.75,
             1.35,
-            below="Too modest: the squared errors are smaller than claimed. Is your R too large?",
-            above=of_claims,
+            below=look("Too modest: the squared errors are smaller than claimed. Is your R too large?"),
+            above=look("The claim is too small: is R the variance, and does every recording get its own?"),
         ),
         Mark(
             "recordings whose own NEES / n is between 0.4 and 2.5",
             honest_share(0.4, 2.5),
             low=80,
-            below="Each recording is judged by itself here: a mean over all can hide that some are too sure and others too modest.",
+            below=look(
+                "Each recording is judged by itself here: a mean over all can hide that some are too sure and others too modest."
+            ),
             unit="%",
         ),
     ],

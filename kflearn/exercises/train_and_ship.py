@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from kflearn.exercises import _two_fixes
-from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, of_claims, recording
+from kflearn.exercises._cart_seen import look
+from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, honest_at_first, honest_where_fine, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._slips_train import WRONG as MORE
@@ -210,14 +211,14 @@ def two_point_start(z0, z1, dt, R):
             "position error (rms)",
             rms(0),
             high=4.4,
-            above="That is more than needed. Is R = sigma²? Does the filter go on by itself in the gaps?",
+            above=look("That is more than needed. Is R = sigma²? Does the filter go on by itself in the gaps?"),
             unit="m",
         ),
         Mark(
             "speed error (rms)",
             rms(1),
             high=1.25,
-            above="That is more than needed. Does Q contain sd² and dt, does the start know that speeds are within some m/s?",
+            above=look("That is more than needed. Does Q contain sd² and dt, is the start's speed within some m/s?"),
             unit="m/s",
         ),
         Mark(
@@ -225,8 +226,8 @@ def two_point_start(z0, z1, dt, R):
             inside(0),
             92,
             98,
-            below="The claim is too small: does P grow in the gaps, does Q have sd²?",
-            above="The claim is too large: are Q and R those of the recording?",
+            below=look("The claim is too small: does P grow in the gaps, does Q have sd²?"),
+            above=look("The claim is too large: are Q and R those of the recording?"),
             unit="%",
         ),
         Mark(
@@ -234,20 +235,30 @@ def two_point_start(z0, z1, dt, R):
             nees(),
             0.85,
             1.2,
-            below=of_claims(
-                "Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?"
-            ),
-            above=of_claims(
-                "Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?"
-            ),
+            below=look("Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?"),
+            above=look("Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?"),
         ),
         Mark(
             "NEES / n where dt = 2 s",
             honest_at(2),
             0.7,
             1.35,
-            below="Too modest where the steps are long: how does Q depend on dt?",
-            above=of_claims("Too sure where the steps are long: how does Q depend on dt?"),
+            below=look("Too modest where the steps are long: how does Q depend on dt?"),
+            above=look("Too sure where the steps are long: how does Q depend on dt?"),
+        ),
+        Mark(
+            "NEES / n where sigma is small",
+            honest_where_fine,
+            0.85,
+            1.2,
+            below=look("Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"),
+            above=look("Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"),
+        ),
+        Mark(
+            "NEES / n at the first reading",
+            honest_at_first,
+            high=1.2,
+            above=look("Too sure at the start: what is known of position and speed at the first reading?"),
         ),
     ],
     form=track(2),
