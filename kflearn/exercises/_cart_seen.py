@@ -83,7 +83,9 @@ def of_Q(answers, recordings):
     """The Q in the gaps, where it has a name."""
     grown = [growth(*each) for each in zip(answers, recordings, strict=True)]
     for form, words in SEEN:
-        if all(np.allclose(Q, form(right, dt, sd), rtol=1e-3, atol=1e-6 * abs(right).max()) for Q, right, dt, sd in grown):
+        if all(
+            np.allclose(Q, form(right, dt, sd), rtol=1e-3, atol=1e-6 * abs(right).max()) for Q, right, dt, sd in grown
+        ):
             return words
     return None
 

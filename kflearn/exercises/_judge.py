@@ -92,7 +92,7 @@ class OpenExercise(Exercise):
 
     def _report(self, answers):
         """Each mark with its number, what is wanted, and what to look at where it does not pass."""
-        truths, lines, faults = [truth for _, truth in self.recordings], [], 0
+        truths, lines, said, faults = [truth for _, truth in self.recordings], [], [], 0
         numbers = [float(mark.value(answers, truths)) for mark in self.marks]
         for mark, number in zip(self.marks, numbers, strict=True):
             if not np.isfinite(number):
@@ -102,8 +102,10 @@ class OpenExercise(Exercise):
             faults += look is not None
             value = f"{number:.3g} {mark.unit}".rstrip()
             line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
-            said = f". {look}" if look and not any(look in earlier for earlier in lines) else ""
-            lines.append(line + said)
+            for earlier in said:  # nothing is said twice
+                look = look and look.replace(earlier, "").strip()
+            said += [look] if look else []
+            lines.append(line + (f". {look}" if look else ""))
         first = f"On {RECORDINGS} recordings that you have not seen:"
         report = "\n".join([first, *(f"- {line}" for line in lines)])
         return self._right(f"{report}\n\n") if not faults else Outcome("wrong", report)

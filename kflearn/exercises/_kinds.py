@@ -281,17 +281,17 @@ class FunctionExercise(Exercise):
     def _explained(self, answer, results, rights, faults):
         """What a rule says of the results, or else the first trial that fails, beside what was expected."""
         close = lambda one, other: fault(one, other, "", self.rtol, self.atol, False) is None  # noqa: E731
-        if named := _rules.sentence(results, rights, close):
+        if named := _rules.sentence(results, rights, close) or _rules_inputs.as_if(results, self, close):
             return named
         if _rules.changes(answer, results, self.cases):
             return _rules.CHANGES
-        if named := _rules_inputs.sentence(answer, results, self, close, _rules._reads):
-            return named
         first = next(i for i, complaint in enumerate(faults) if complaint)
         words = f"for `{self._called(self.cases[first])}` {faults[first]}"
         if name := _rules.unused(answer, self._solve, self.cases, self.parameters, close):
             instead = "a number, or a name of the notebook, stands in its place, or it is left out"
             return f"The result does not depend on {name}: {instead}. {words[0].upper()}{words[1:]}"
+        if named := _rules_inputs.blind(answer, self, close):
+            return f"{named} {words[0].upper()}{words[1:]}"
         share = _rules.share([not complaint for complaint in faults], self.cases)
         return f"{words} {share}".rstrip()
 

@@ -40,11 +40,6 @@ def _row(value):
     return np.asarray(value)
 
 
-def sentence(function, results, exercise, close, reads) -> str | None:
-    """What is said of a function that is right for other arguments, or for which one does not matter."""
-    return as_if(results, exercise, close) or blind(function, exercise, close, reads)
-
-
 def as_if(results, exercise, close) -> str | None:
     """What is said of a function that is right for other arguments, in all trials; None where none or several fit.
 
@@ -60,7 +55,7 @@ def as_if(results, exercise, close) -> str | None:
         if fits(lambda case, i=i, j=j: _exchanged(case, i, j))
     ]
     for i, j in permutations(range(len(names)), 2):
-        if fits(lambda case, i=i, j=j: _exchanged(case, i, j)[: i + 1] + case[i + 1 :]):
+        if fits(lambda case, i=i, j=j: (*case[:i], case[j], *case[i + 1 :])):
             found = [f"{names[j]} in place of {names[i]}."]
     for i, name in enumerate(names):
         for change, words in CHANGED:
@@ -69,13 +64,12 @@ def as_if(results, exercise, close) -> str | None:
     return f"The result is what would be right for {found[0]}" if len(found) == 1 else None
 
 
-def blind(function, exercise, close, reads) -> str | None:
-    """Which argument is read, and yet its values do not matter; None where each of them matters."""
-    solve, names = exercise._solve, exercise.parameters
-    for i, name in enumerate(names):
-        told = [_moves(function, solve, case, i, close) for case in exercise.cases] if reads(function, i) else []
+def blind(function, exercise, close) -> str | None:
+    """Which argument could have any values, though the result should depend on it; None where there is none."""
+    for i, name in enumerate(exercise.parameters):
+        told = [_moves(function, exercise._solve, case, i, close) for case in exercise.cases]
         if told.count(False) >= 3 and True not in told:
-            return f"The result stays the same when {name} has other values: something else stands in its place."
+            return f"The result does not depend on {name}: with other values in it, it stays the same."
     return None
 
 

@@ -3,11 +3,11 @@
 import numpy as np
 
 
-def chosen(measure, larger=False, root=False):
-    """The covariance whose root is the smaller one by some measure of the root; or the root itself."""
+def chosen(measure, larger=False, root=False, ties=False):
+    """The covariance whose root is the smaller one by some measure of the root, of two alike the first or the second."""
 
     def answer(one, two):
-        first = (measure(one) < measure(two)) != larger
+        first = (measure(one) < measure(two)) != larger or (ties and np.isclose(measure(one), measure(two)))
         L = one if first else two
         return L if root else L @ L.T
 
@@ -16,6 +16,19 @@ def chosen(measure, larger=False, root=False):
 
 def squared(P):
     return P @ P.T
+
+
+MEASURES = {
+    "first variance": (lambda L: squared(L)[0, 0], "You compare the variance of the first state only. A reading may leave that as it was: compare all of them, as the trace does."),
+    "last variance": (lambda L: squared(L)[-1, -1], "You compare the variance of the last state only. A reading may leave that as it was: compare all of them, as the trace does."),
+    "determinant of the roots": (np.linalg.det, "You compare the determinants of the *roots*, which may have a minus sign. Compare those of L Lᵀ."),
+    "largest entry of the roots": (np.max, "You compare the largest entries of the *roots*, which may have minus signs. Square them first: compare variances."),
+    "sum of the roots": (np.sum, "You compare numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ."),
+    "sum of the sizes": (lambda L: abs(L).sum(), "You compare the sizes of the entries of the roots. What a reading makes smaller are the variances: compare the traces of L Lᵀ."),
+    "sum of all entries": (lambda L: squared(L).sum(), "You compare the sums of all entries. That is the variance of the sum of the states, and a reading may leave it as it was: compare the traces."),
+    "largest variance": (lambda L: np.diag(squared(L)).max(), "You compare the largest variance only. A reading may leave that as it was: compare all of them, as the trace does."),
+    "largest entry": (lambda L: squared(L).max(), "You compare the largest entry only. A reading may leave that as it was: compare all variances, as the trace does."),
+}  # fmt: skip
 
 
 WRONG = {
@@ -115,45 +128,9 @@ WRONG = {
         "squares": (lambda orders: orders * np.log10(np.sqrt(orders)), "`orders` is the exponent already: the root of 10ⁿ is 10 to the power of what?"),
     },
     "posterior": {
-        "first variance": (
-            chosen(lambda L: squared(L)[0, 0]),
-            "You compare the variance of the first state only. A reading may leave that as it was: compare all of them, as the trace does.",
-        ),
-        "last variance": (
-            chosen(lambda L: squared(L)[-1, -1]),
-            "You compare the variance of the last state only. A reading may leave that as it was: compare all of them, as the trace does.",
-        ),
         "larger first variance": (
             chosen(lambda L: squared(L)[0, 0], larger=True),
             "You take the one with the larger variance: that is the covariance before the reading. And the first state alone does not tell.",
-        ),
-        "determinant of the roots": (
-            chosen(np.linalg.det),
-            "You compare the determinants of the *roots*, which may have a minus sign. Compare those of L Lᵀ.",
-        ),
-        "largest entry of the roots": (
-            chosen(np.max),
-            "You compare the largest entries of the *roots*, which may have minus signs. Square them first: compare variances.",
-        ),
-        "sum of the roots": (
-            chosen(np.sum),
-            "You compare numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ.",
-        ),
-        "sum of the sizes": (
-            chosen(lambda L: abs(L).sum()),
-            "You compare the sizes of the entries of the roots. What a reading makes smaller are the variances: compare the traces of L Lᵀ.",
-        ),
-        "sum of all entries": (
-            chosen(lambda L: squared(L).sum()),
-            "You compare the sums of all entries. That is the variance of the sum of the states, and a reading may leave it as it was: compare the traces.",
-        ),
-        "largest variance": (
-            chosen(lambda L: np.diag(squared(L)).max()),
-            "You compare the largest variance only. A reading may leave that as it was: compare all of them, as the trace does.",
-        ),
-        "largest entry": (
-            chosen(lambda L: squared(L).max()),
-            "You compare the largest entry only. A reading may leave that as it was: compare all variances, as the trace does.",
         ),
         "the larger root": (
             chosen(lambda L: np.trace(squared(L)), larger=True, root=True),
@@ -183,5 +160,10 @@ WRONG = {
             lambda one, two: (lambda P: P @ P.T)(squared(min(one, two, key=np.linalg.norm))),
             "You squared twice. One square of the root, L Lᵀ, is the covariance.",
         ),
+    }
+    | {
+        f"{label}, {ties}": (chosen(measure, ties=ties), words)
+        for label, (measure, words) in MEASURES.items()
+        for ties in (False, True)
     },
 }  # fmt: skip

@@ -68,7 +68,9 @@ def named(answers, recordings):
     covs = [pair(answer)[1] for answer in answers]
     if raw(answers, recordings):
         return "Your positions are the readings themselves, whose variance is R: a filter with the right R is nearer to the truth."
-    if all(np.allclose(gained(cov, 0 * Q)[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max()) for cov in covs):
+    if all(
+        np.allclose(gained(cov, 0 * Q)[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max()) for cov in covs
+    ):
         return "Your P moves with F but gains no Q. Is Q added in each prediction?"
     Rs = [one_R(gained(cov)) for cov in covs]
     if any(R is None for R in Rs):
@@ -106,7 +108,9 @@ def of_R(used, right):
             f"Your R is too large: in recording {worst + 1} it is {_times(ratio[worst])} times the variance of the readings. "
             "The ship moves, and the way that it goes must not be counted as noise."
         )
-    return f"Your R is wrong by a factor that is different in each recording, from {ratio.min():.2g} to {ratio.max():.2g}."
+    return (
+        f"Your R is wrong by a factor that is different in each recording, from {ratio.min():.2g} to {ratio.max():.2g}."
+    )
 
 
 def _times(ratio):

@@ -11,7 +11,6 @@ from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, re
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
-
 SHARES = [0.6, 1.5, 0.9, 2.5, 0.3, 1.03, 0.45, 1.1, 0.97, 3.5, 0.2, 1.25, 0.75, 1.8, 0.55, 1.03, 0.4, 0.65, 0.25, 0.85]
 
 
@@ -160,7 +159,8 @@ def gated_step(x, P, reading, Q, R):
     form=series,
     passing=PASSING,
     failing=FAILING,
-    then="A new speaker is found 15 readings late. No filter can know earlier: until it ends, an echo looks like a new speaker.",
+    then="A filter that knows the readings so far finds a new speaker 15 readings late at best: until it ends, an echo looks "
+    "like a new speaker. A design that looks at later readings, as a smoother does (lesson 23), is not late.",
 )
 def speaker(z):
     """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.

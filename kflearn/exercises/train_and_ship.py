@@ -251,8 +251,12 @@ def two_point_start(z0, z1, dt, R):
             honest_where_fine,
             0.85,
             1.2,
-            below=look("Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"),
-            above=look("Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"),
+            below=look(
+                "Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"
+            ),
+            above=look(
+                "Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"
+            ),
         ),
         Mark(
             "NEES / n at the first reading",
