@@ -30,7 +30,7 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
         Anything at all.
     right : number, array, Gaussian or tuple of these
     subject : str
-        What the sentence calls the answer.
+        What the sentence calls the answer; empty where only the comparison matters.
     rtol, atol : float
         Tolerances, as in `numpy.isclose`; with atol None, 1e-12 of the largest number in `right`.
     reveal : bool
@@ -53,10 +53,14 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
     except Misfit as instead:
         return f"{subject} should be {_form(right.shape)}, but it is {instead}."
 
+    if right.dtype == bool and right.ndim == 0 and reveal:
+        return _fault_in_truth(given, right, subject)
     right = right.astype(given.dtype)
     good = _close(given, right, rtol, atol) | (_to_three_digits(given, right) if by_hand else False)
     if good.all():
         return None
+    if not subject:  # only whether they differ is asked
+        return "differs"
     at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
     direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
     verdict = next((words for words, twin in _relatives(right) if _close(given, twin, rtol).all()), "")
@@ -69,6 +73,14 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
     return f"{subject} {verdict or f'is {direction}'}."
 
 
+def _fault_in_truth(given, right, subject):
+    """Where True or False is wanted: 1 and 0 are taken for them, other numbers are not."""
+    if given == right:
+        return None
+    found = bool(given) if given in (0, 1) else show(given)
+    return f"{subject} is {found}, but {bool(right)} was expected."
+
+
 def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand):
     """The first fault in the parts of an answer; `wanted` holds the right ones by name."""
     is_row = isinstance(answer, list) or (isinstance(answer, np.ndarray) and answer.ndim > 0)
@@ -77,7 +89,10 @@ def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand):
         found = len(given) or f"one of type {type(answer).__name__}"
         return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
     pairs = zip(given, wanted.items(), strict=True)
-    faults = (fault(piece, part, f"{name} of {subject}", rtol, atol, reveal, by_hand) for piece, (name, part) in pairs)
+    faults = (
+        fault(piece, part, subject and f"{name} of {subject}", rtol, atol, reveal, by_hand)
+        for piece, (name, part) in pairs
+    )
     return next(filter(None, faults), None)
 
 
@@ -182,7 +197,7 @@ def chosen(answer, choices=frozenset()) -> frozenset:
         whole = answer.strip(" .()").casefold()
         if whole in choices:
             return frozenset({whole})
-        found = frozenset(part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b", answer)) - {""}
+        found = frozenset(part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b|\bor\b", answer)) - {""}
         letters = frozenset(whole.replace(" ", ""))
         return letters if letters and letters <= choices and not found <= choices else found
     if isinstance(answer, bool):

@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 
-from kflearn.exercises import _code_of, _rules
+from kflearn.exercises import _code_of, _rules, _rules_inputs
 from kflearn.exercises._answers import fault, parts, told
 
 FULL = 12  # the entries of a matrix that are looked at one by one
@@ -17,7 +17,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     """The sentence for results that are wrong: a rule that explains all of them, or else the first trial that fails."""
     close = lambda one, other: fault(one, other, "", exercise.rtol, exercise.atol, False) is None  # noqa: E731
     cases, names = exercise.cases, exercise.parameters
-    if named := _rules.sentence(results, rights, close):
+    if named := _rules.sentence(results, rights, close) or _rules_inputs.as_if(results, exercise, close):
         return named
     if _rules.changes(answer, results, cases):
         return _rules.CHANGES
@@ -26,7 +26,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     words = f"for `{exercise._called(cases[first])}` {faults[first]}"
     lead = _unused(exercise, answer, close) or _of_the_notebook(answer, names)
     lead = lead or _not_a_number(results, rights) or _of_matrices(answer, cases, good, names)
-    lead = lead or _size(results, rights, cases)
+    lead = lead or _size(results, rights, cases) or _rules_inputs.blind(answer, exercise, close)
     if not lead:
         return " ".join(filter(None, [words, _placed(results, rights, close), _rules.share(good, cases)]))
     return f"{lead} {words[0].upper()}{words[1:]}"

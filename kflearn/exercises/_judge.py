@@ -108,8 +108,10 @@ class OpenExercise(Exercise):
             faults += look is not None
             value = f"{mark.shown(number, look is None)} {mark.unit}".rstrip()
             line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
-            lines.append(line + (f". {look}" if look and look not in said else ""))
-            said.append(look)
+            for earlier in said:  # nothing is said twice
+                look = look and look.replace(earlier, "").strip()
+            said += [look] if look else []
+            lines.append(line + (f". {look}" if look else ""))
         first = f"On {RECORDINGS} recordings that you have not seen:"
         report = "\n".join([first, *(f"- {line}" for line in lines)])
         return self._right(f"{report}\n\n") if not faults else Outcome("wrong", report)

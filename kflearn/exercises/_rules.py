@@ -10,6 +10,7 @@ import inspect
 
 import numpy as np
 
+from kflearn.exercises import _rules_inputs
 from kflearn.exercises._answers import parts
 
 # What each rule makes of the right result, and what is said of an answer that is equal to that
@@ -51,7 +52,7 @@ def sentence(results, rights, close) -> str | None:
         return words and f"The result {words}"
     rows = [row(result, len(names)) for result in results]
     if any(each is None for each in rows):
-        return None
+        return _rules_inputs.one_of(results, rights, names, close)
     wanted = [list(parts(right).values()) for right in rights]
     pairs = list(zip(rows, wanted, strict=True))
     if all(close(one, other) for mine, right in pairs for one, other in zip(mine, reversed(right), strict=True)):
@@ -66,7 +67,7 @@ def sentence(results, rights, close) -> str | None:
     if not told or None in told.values():
         return None
     others = "The rest is right. " if len(told) < len(names) else ""
-    return others + " ".join(f"{name[0].upper()}{name[1:]} of the result {words}" for name, words in told.items())
+    return others + " ".join(_rules_inputs.once_each(told))
 
 
 def _first(name):
@@ -86,7 +87,7 @@ def _relation(results, rights, close):
         pairs = [(np.asarray(one), np.asarray(other)) for one, other in zip(results, rights, strict=True)]
     except (TypeError, ValueError, OverflowError):  # rows of unequal length, and what else is no array
         return None
-    if any(one.shape != other.shape or one.dtype.kind not in "iuf" for one, other in pairs):
+    if any(one.shape != other.shape or {one.dtype.kind, other.dtype.kind} - set("iuf") for one, other in pairs):
         return None
     with np.errstate(all="ignore"):
         found = [

@@ -170,7 +170,7 @@ WRONG = {
         "entry by entry": (
             lambda normal, Q: np.sqrt(Q) * normal,
             "`*` multiplies entry by entry, and the shapes (2, 2) and (2, N) do not fit. The product of matrices is `@`: np.sqrt(Q) @ normal.",
-            r"\) *\* *normal|normal *\* *np",
+            r"sqrt\(Q\) *\* *normal|normal *\* *np\.sqrt\(Q",
         ),
         "the order": (
             lambda normal, Q: normal @ np.sqrt(Q),

@@ -46,14 +46,56 @@ def off(changed):
     return value
 
 
-def of_one(answers, recordings):
-    """What to look at where the errors with one speaker are too large."""
+def errors_of(answers, recordings):
+    """Error, truth and readings of each recording, up to a change of speaker where there is one."""
+    for answer, ((z,), truth) in zip(answers, recordings, strict=True):
+        jumps = np.flatnonzero(abs(np.diff(truth)) > 30) + 1
+        first = slice(0, jumps[0] if len(jumps) else None)
+        yield angle_difference(np.asarray(answer, float), truth)[first], truth[first], np.asarray(z, float)[first]
+
+
+def echoes(z, truth):
+    """(first, last) reading of each long echo that ends."""
+    far = np.flatnonzero(abs(angle_difference(z, truth)) > 10)
+    runs = np.split(far, np.flatnonzero(np.diff(far) > 1) + 1)
+    return [(run[0], run[-1]) for run in runs if len(run) > 9 and run[-1] < len(z) - 1]
+
+
+def of_the_readings(answers, recordings):
+    """What is said of an answer that needs no filter; None where there is one."""
     if all(np.ptp(answer) < 1e-6 for answer in answers):
         return "You return one bearing for a whole recording. The speaker walks, by 0.15° a reading: 49° in all."
-    return (
-        "Do echoes of 11 to 14 readings pull the estimate? Is the first reading an echo, and believed? "
-        "Is every difference taken the short way round?"
-    )
+    if all(
+        np.allclose(angle_difference(np.asarray(answer, float), inputs[0]), 0)
+        for answer, (inputs, _) in zip(answers, recordings, strict=True)
+    ):
+        return "You return the readings themselves: during an echo they are 50° off and more."
+    return None
+
+
+def of_one(answers, recordings):
+    """What to look at where the errors with one speaker are too large."""
+    if words := of_the_readings(answers, recordings):
+        return words
+    rows = list(errors_of(answers, recordings))
+    lost = [np.median(abs(error)) > 10 for error, _, _ in rows]
+    begin = [np.median(abs(error[1:5])) > 10 for error, _, _ in rows]
+    pulls = [(abs(error[last]), abs(angle_difference(z[last], truth[last])))
+             for error, truth, z in rows for _, last in echoes(z, truth)]  # fmt: skip
+    share = np.median([pull / full for pull, full in pulls])
+    if np.mean(lost) > 0.4:
+        at = " It starts at the first readings, and they are an echo." if np.mean(begin) > 0.5 else ""
+        return f"In {sum(lost)} of {len(rows)} recordings the filter is not at the speaker most of the time.{at} Does it ever come back?"
+    if share > 0.7:
+        return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them."
+    if share > 0.1:
+        return (
+            f"At the end of an echo of 11 to 14 readings the filter is {100 * share:.0f} % of the way to it. "
+            "Each reading of an echo pulls, and the pulls add up: a reading so far off should not pull at all."
+        )
+    if np.mean(begin) > 0.4:
+        return "At the beginning the filter follows the first readings, and they may be an echo. What do the first fifteen together say?"
+    return "Is every difference taken the short way round, and does the filter keep up with a speaker who walks?"
 
 
 def of_two(answers, recordings):
@@ -63,16 +105,16 @@ def of_two(answers, recordings):
         for moment in np.flatnonzero(abs(np.diff(truth)) > 30) + 1:
             late = angle_difference(np.asarray(answer, float), truth)[moment + SETTLED :]
             arrived.append(np.median(abs(late)) < 10)
-            just_before = angle_difference(np.asarray(answer, float), truth)[moment - 5 : moment]
-            early.append(np.median(abs(just_before)) > 10)
+            new = angle_difference(np.asarray(answer, float)[moment - 5 : moment], truth[moment])
+            early.append(np.median(abs(new)) < 10)
+    if words := of_the_readings(answers, recordings):
+        return words
     if np.mean(early) > 0.5:
         return "The filter comes to the new speaker before he speaks: it looks ahead, and switches too early."
-    if np.mean(arrived) > 0.8:
-        return (
-            "The filter comes to the new speaker, but it is wrong at other times. Does it switch too early, "
-            "or do echoes of 11 to 14 readings take it along?"
-        )
-    return "After a change the filter must come to the new speaker within 30 readings: does your gate open again?"
+    if np.mean(arrived) < 0.5:
+        return "After a change the filter must come to the new speaker within 30 readings: does your gate open again?"
+    words = of_one(answers, recordings)
+    return f"The filter comes to the new speaker, but it is wrong at other times. {words}"
 
 
 # ---- designs

@@ -34,31 +34,92 @@ def honest_share(low=0.5, high=2.0):
     return value
 
 
-def of_errors(answers, recordings):
-    """What to look at where the errors are too large."""
+def raw(answers, recordings):
+    """Whether the positions are the readings themselves."""
+    pairs = zip(answers, recordings, strict=True)
+    return all(np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in pairs)
+
+
+def gained(cov, Q=Q):
+    """What each of the first corrections has added to P⁻¹: Hᵀ H / R, where P follows from F and Q."""
+    return np.linalg.inv(cov[1:20]) - np.linalg.inv(F @ cov[:19] @ F.T + Q)
+
+
+def one_R(added):
+    """The R of corrections with a reading of the position; None where something else has been done."""
+    R = 1 / added[:, 0, 0]
+    others = abs(added[:, [0, 1], [1, 1]]).max(axis=1)
+    good = np.all(others < 1e-5 + 1e-3 * abs(added[:, 0, 0])) and np.ptp(R) < 0.02 * abs(np.mean(R))
+    return float(np.mean(R)) if good and np.mean(R) > 0 else None
+
+
+def used_Q(cov):
+    """The Q that a filter uses, beside the right one (a factor), if it has no corners and any R; None where there is none."""
+    A, P = (F @ cov[:19] @ F.T), cov[1:20]
+    R = A[:, 0, 1] * P[:, 0, 0] / (A[:, 0, 1] - P[:, 0, 1])
+    before = P + P[:, :, :1] @ P[:, :1, :] / (R - P[:, 0, 0])[:, None, None]
+    factors = np.diagonal(before - A, axis1=1, axis2=2)[5:] / np.diag(Q)
+    factor = np.median(factors)
+    return float(factor) if np.all(abs(factors - factor) < 0.05 * abs(factor)) and factor > 0 else None
+
+
+def named(answers, recordings):
+    """What a filter does that can be seen in its covariances: a start, a Q or an R that are not right; else None."""
+    covs = [pair(answer)[1] for answer in answers]
+    if raw(answers, recordings):
+        return "Your positions are the readings themselves, whose variance is R: a filter with the right R is nearer to the truth."
     if all(
-        np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in zip(answers, recordings, strict=True)
+        np.allclose(gained(cov, 0 * Q)[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max()) for cov in covs
     ):
-        return "Your positions are the readings themselves: a filter with the right R is nearer to the truth."
-    return "That is more than a filter with the right R needs. Does each recording get an R of its own?"
+        return "Your P moves with F but gains no Q. Is Q added in each prediction?"
+    Rs = [one_R(gained(cov)) for cov in covs]
+    if any(R is None for R in Rs):
+        factors = [used_Q(cov) for cov in covs]
+        if None not in factors and any(abs(factor - 1) > 0.05 for factor in factors):
+            return (
+                f"In recording 1 your P grows in each prediction by {factors[0]:.2g} times the Q that is given. "
+                "Only R is unknown: Q stays as it is, and P is not scaled."
+            )
+        return None
+    first = [np.linalg.inv(cov[0]) - np.linalg.inv(F @ COV @ F.T + Q) for cov in covs]
+    if not all(abs(each[0, 0] * R - 1) < 0.05 and abs(each[1, 1]) < 1e-4 for each, R in zip(first, Rs, strict=True)):
+        return (
+            "R and Q are used as they should be, but your first P does not follow from the start that is given: "
+            "N([0, 0], diag(50², 5²)), one second before the first reading."
+        )
+    return of_R(np.array(Rs), np.array([np.var(z - truth[:, 0]) for (z,), truth in recordings]))
 
 
-def lacks_Q(answer):
-    """Whether the covariances are those of F P Fᵀ and a reading of the position, without a Q in between."""
-    cov = pair(answer)[1]
-    gained = np.linalg.inv(cov[1:20]) - np.linalg.inv(F @ cov[:19] @ F.T)
-    return np.allclose(gained[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max())
+def of_R(used, right):
+    """What is said of the R of all recordings; None where they are near to what they should be."""
+    ratio = used / right
+    alike = np.exp(np.std(np.log(ratio))) < 1.4
+    if np.ptp(used) < 1e-6 * used.max():
+        return f"You use the same R, {used[0]:.3g} m², in every recording. Each sensor has its own: find it in the readings."
+    if alike and 0.75 < np.median(ratio) < 1.35:
+        return None
+    if alike:
+        return f"The R of your filter is about {np.median(ratio):.2g} times the variance of the readings: a factor is wrong, or missing."
+    if np.exp(np.std(np.log(used / np.sqrt(right)))) < 1.4:
+        return "The R of your filter is about the standard deviation of the readings, in metres. R is a variance: the square."
+    if np.median(ratio) > 1.35 or ratio.max() > 4:
+        worst = int(np.argmax(ratio))
+        return (
+            f"Your R is too large: in recording {worst + 1} it is {_times(ratio[worst])} times the variance of the readings. "
+            "The ship moves, and the way that it goes must not be counted as noise."
+        )
+    return (
+        f"Your R is wrong by a factor that is different in each recording, from {ratio.min():.2g} to {ratio.max():.2g}."
+    )
 
 
-def of_claims(answers, recordings):
-    """What to look at where the claims are too small."""
-    if all(map(lacks_Q, answers)):
-        return "The claim is too small: your P moves with F but gains no Q. Is Q added in each prediction?"
-    if all(
-        np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in zip(answers, recordings, strict=True)
-    ):
-        return "The claim is too small for the readings themselves: theirs is R, different in each recording."
-    return "The claim is too small: is R the variance, and does every recording get its own?"
+def _times(ratio):
+    return f"{ratio:,.0f}" if ratio > 10 else f"{ratio:.2g}"
+
+
+def look(otherwise):
+    """What to look at: what can be seen in the covariances, or something else."""
+    return lambda answers, recordings: named(answers, recordings) or otherwise
 
 
 # ---- designs

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
 from kflearn.exercises._is_a_covariance import WRONG as NO_COVARIANCE
+from kflearn.exercises._slips_bearing import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -46,7 +47,7 @@ def differences(rng):
     inputs=differences,
     rtol=1e-9,
     atol=1e-9,
-    wrong=WRONG["wrap"],
+    wrong=WRONG["wrap"] | MORE["wrap"],
     then="Half a turn is the one difference with two right answers: 180 and −180 are equally far.",
 )
 def wrap(difference):
@@ -76,7 +77,7 @@ def stuck_rates(rng):
         "offset = (1 − K)(offset + dt·x₁). Bring the offset to one side: offset·K = (1 − K)·dt·x₁.",
     ],
     inputs=stuck_rates,
-    wrong=WRONG["offset"],
+    wrong=WRONG["offset"] | MORE["offset"],
     then="For the golden gain 0.618 the factor (1 − K)/K is 0.618 as well. What does the offset become when K nears 1?",
 )
 def offset(x1, K, dt):
@@ -99,7 +100,7 @@ def beliefs(rng):
         "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
-    wrong=WRONG["right_prediction"] | SLIPS["right_prediction"],
+    wrong=WRONG["right_prediction"] | SLIPS["right_prediction"] | MORE["right_prediction"],
     then="From a symmetric P comes a symmetric one. The published prediction fails this test, which takes one line.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
@@ -127,7 +128,7 @@ def gains(rng):
         "In one line: `return (np.eye(2) - np.outer(K, [1, 0])) @ P`.",
     ],
     inputs=gains,
-    wrong=WRONG["right_update"],
+    wrong=WRONG["right_update"] | MORE["right_update"],
     then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 12.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
@@ -139,20 +140,65 @@ def right_update(P, K):
     return (np.eye(2) - np.outer(K, [1, 0])) @ P
 
 
-def candidates(rng, n):
-    """A covariance of n states, or a matrix that cannot be one: its last row and column, or its diagonal, are spoilt."""
-    root = rng.integers(-4, 5, (n, n)) / 2
+KINDS = [
+    "covariance",
+    "rounded",
+    "known",
+    "not symmetric",
+    "beyond 1",
+    "all beyond 1",
+    "contradiction",
+    "negative",
+    "zero",
+    "both",
+]
+
+
+def candidates(rng, n, kind):
+    """A covariance of n states, or a matrix that cannot be one: KINDS[kind]."""
+    root, sign, kind = rng.integers(-4, 5, (n, n)) / 2, rng.choice([-1, 1]), KINDS[kind]
+    root = abs(root) + 0.5 if kind in ("rounded", "not symmetric") else root
     P = root @ root.T + np.eye(n)
-    kind = rng.choice(
-        ["covariance", "not symmetric", "correlation above 1", "negative variances"], p=[0.4, 0.2, 0.2, 0.2]
-    )
+    if kind == "rounded":
+        P[n - 1, 0] += 4e-10 * sign
+    if kind == "known":  # one state exactly: its variance is zero
+        P = np.diag(rng.permutation(np.arange(n)) / 2)
     if kind == "not symmetric":
-        P[n - 1, 0] += rng.choice([-1, 1]) / 8
-    if kind == "correlation above 1":
-        P[n - 1, 0] = P[0, n - 1] = rng.choice([-1, 1]) * (P[0, 0] + P[n - 1, n - 1])
-    if kind == "negative variances":
+        P[n - 1, 0] += sign / 8
+    if kind == "beyond 1":  # a correlation
+        P[n - 1, 0] = P[0, n - 1] = sign * (P[0, 0] + P[n - 1, n - 1])
+    if kind == "all beyond 1":
+        P = np.full((n, n), 2.0) - np.eye(n) * rng.choice([0.5, 1])
+    if kind == "contradiction":  # three that cannot all be alike and opposite; of two a negative variance
+        P = np.array([[1, 0.9, 0.9], [0.9, 1, -0.9], [0.9, -0.9, 1]]) * 2 if n == 3 else np.diag([-1.0, 2.0])
+    if kind in ("negative", "both"):
         P[[0, n - 1], [0, n - 1]] *= -1
+    if kind == "both":  # nor symmetric
+        P[n - 1, 0] += 1.5
+    if kind == "zero":  # beside a negative variance
+        P = np.diag([0.0, -1.0, 2.0][:n])
     return (P,)
+
+
+TURNS = [
+    (2, 0),
+    (3, 0),
+    (2, 2),
+    (3, 3),
+    (2, 4),
+    (3, 4),
+    (3, 1),
+    (2, 3),
+    (3, 5),
+    (3, 6),
+    (2, 7),
+    (3, 2),
+    (3, 8),
+    (2, 1),
+    (3, 7),
+    (2, 9),
+    (3, 9),
+]
 
 
 @exercise(
@@ -162,7 +208,7 @@ def candidates(rng, n):
         "For a symmetric matrix vᵀPv is smallest along an eigenvector, and there it is the smallest eigenvalue.",
         "`np.allclose(P, P.T)` answers the first question, `np.linalg.eigvalsh(P).min() >= -1e-9` the second. Both must be True.",
     ],
-    inputs=in_turn(candidates, 2, 3),
+    inputs=in_turn(candidates, *TURNS),
     wrong=NO_COVARIANCE["is_a_covariance"],
     then="From P = [[1, 0.2], [0.2, 0.5]] the published prediction makes a matrix that fails this test in one line, and so does the "
     "published update. A test like this one runs in a filter at every step.",

@@ -7,9 +7,10 @@ from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
+from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, of_claims, of_errors, recording
+from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, look, recording
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -19,7 +20,7 @@ from kflearn.exercises.engine import Mark, exercise, judged
         "With 50 · 2 = 100. Cut off 2.5 % at either end of that distribution, and remember that the average was asked for.",
         "chi2.ppf([0.025, 0.975], 100) / 50, or chi_square_interval(dof=2, runs=50).",
     ],
-    wrong=WRONG["interval"],
+    wrong=WRONG["interval"] | MORE["interval"],
     rtol=5e-3,
     then="Runs pay off slowly: with 1,000 of them the limits are 1.88 and 2.13, so smaller faults are found.",
 )
@@ -41,7 +42,7 @@ def errors_and_claims(rng, n):
         "return e @ np.linalg.solve(P, e)",
     ],
     inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
-    wrong=WRONG["nees"] | SLIPS["nees"],
+    wrong=WRONG["nees"] | SLIPS["nees"] | MORE["nees"],
     then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
 def nees(e, P):
@@ -98,7 +99,7 @@ def errors_and_variances(rng, count):
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
     inputs=in_turn(errors_and_variances, 5, 12, 60, 7),
-    wrong=WRONG["share_inside"] | SLIPS["share_inside"],
+    wrong=WRONG["share_inside"] | SLIPS["share_inside"] | MORE["share_inside"],
     then="Of one number 68.3 % should be inside. Of a state with two components only 39 % belong inside its 1σ ellipse: why fewer?",
 )
 def share_inside(e, P):
@@ -118,7 +119,7 @@ def start_beliefs(rng, n):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
-    wrong=WRONG["draw_start"] | SLIPS["draw_start"],
+    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )
 def draw_start(mean, variances, normal):
@@ -139,7 +140,7 @@ def draw_start(mean, variances, normal):
             "position error (rms)",
             rms(0),
             high=7.5,
-            above=of_errors,
+            above=look("That is more than a filter with the right R needs. Does each recording get an R of its own?"),
             unit="m",
         ),
         Mark(
@@ -147,8 +148,8 @@ def draw_start(mean, variances, normal):
             inside(0),
             90,
             98,
-            below=of_claims,
-            above="The claim is too large: fewer would be inside with an honest σ.",
+            below=look("The claim is too small: is R the variance, and does every recording get its own?"),
+            above=look("The claim is too large: fewer would be inside with an honest σ."),
             unit="%",
         ),
         Mark(
@@ -156,14 +157,16 @@ def draw_start(mean, variances, normal):
             nees_of_all(),
             0.75,
             1.35,
-            below="Too modest: the squared errors are smaller than claimed. Is your R too large?",
-            above=of_claims,
+            below=look("Too modest: the squared errors are smaller than claimed. Is your R too large?"),
+            above=look("The claim is too small: is R the variance, and does every recording get its own?"),
         ),
         Mark(
             "recordings whose own NEES / n is between 0.4 and 2.5",
             honest_share(0.4, 2.5),
             low=80,
-            below="Each recording is judged by itself here: a mean over all can hide that some are too sure and others too modest.",
+            below=look(
+                "Each recording is judged by itself here: a mean over all can hide that some are too sure and others too modest."
+            ),
             unit="%",
         ),
     ],

@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._hints import tried
+from kflearn.exercises._slips_digits import WRONG as MORE
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -96,7 +97,8 @@ def corrections(rng):
             lambda P, K, R, claim: ((1 - K) ** 2 * P + R) / claim,
             "The first half is right. Only K times the reading's error comes in, so its variance counts as K²R.",
         ),
-    },
+    }
+    | MORE["average_nees"],
     then="With the best gain K = P/(P + R) the numerator is (1 − K)P again. If the filter claims just this, the NEES is 1.",
 )
 def average_nees(P, K, R, claim):
@@ -158,7 +160,8 @@ def average_nees(P, K, R, claim):
             lambda orders: orders**0.5 / 2,
             "You took the root of the count of orders. It is an exponent: the root of 10ⁿ is 10 to the power of what?",
         ),
-    },
+    }
+    | MORE["orders_of_the_root"],
     then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):
@@ -166,11 +169,19 @@ def orders_of_the_root(orders):
     return orders / 2
 
 
-def two_roots(rng, n):
-    """Roots of a covariance before a reading and after it, triangular, with any signs; which comes first is chance."""
+def two_roots(rng, n, apart=0):
+    """Roots of a covariance before a reading and after it, triangular, with any signs; which comes first is chance.
+
+    apart: the states are independent, and the last one is read (1), so that the others stay as they were, or the
+    first (-1), or the difference of two (2), so that their sum stays as it was, or vaguely the sum of all (3).
+    """
     before = np.tril(rng.integers(-3, 4, (n, n)), -1) + np.diag(rng.integers(2, 7, n)) * rng.choice([-1.0, 1.0], n)
     h, R = rng.integers(1, 4, n) * rng.choice([-1, 1], n), rng.integers(1, 9) / 4
-    while not (before @ before.T @ h).all():  # a reading that leaves a variance as it was
+    if apart:
+        before = np.diag(np.diag(before)) if abs(apart) == 1 else float(rng.integers(1, 5)) * np.eye(n)
+        h = {1: np.eye(n)[-1], -1: np.eye(n)[0], 2: np.eye(n)[0] - np.eye(n)[1], 3: np.ones(n)}[apart]
+        R = 40.0 if apart == 3 else R
+    while not apart and not (before @ before.T @ h).all():  # a reading that leaves a variance as it was
         h[rng.integers(n)] += 1
     seen = before.T @ h  # Potter's correction: the reading is h times the state, its variance R
     S = seen @ seen + R
@@ -191,7 +202,7 @@ def smaller(first, second):
         "Root times transposed root, in this order: L Lᵀ.",
         "`P, other = one @ one.T, two @ two.T`, then `return P if np.trace(P) < np.trace(other) else other`",
     ],
-    inputs=in_turn(two_roots, 2, 3, 4, 1),
+    inputs=in_turn(two_roots, 2, 3, (2, 1), 4, (3, 2), (3, -1), 1, (3, 3), (3, 1), (2, 2)),
     wrong={
         "as published": (
             lambda one, two: one @ one.T,
@@ -253,7 +264,8 @@ def smaller(first, second):
             lambda one, two: np.linalg.inv(np.linalg.inv(one @ one.T) + np.linalg.inv(two @ two.T)),
             "You fused the two, as if they were independent. The reading is in one of them already: choose that one.",
         ),
-    },
+    }
+    | MORE["posterior"],
     then="The traces tell because a reading never makes a variance larger, whatever H and R are. A prediction may do so.",
 )
 def posterior(one, two):

@@ -6,17 +6,24 @@ from kflearn import angle_difference
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
 from kflearn.exercises._readings_that_lie import WRONG
+from kflearn.exercises._slips_gates import WRONG as MORE
 from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
+SHARES = [0.6, 1.5, 0.9, 2.5, 0.3, 1.03, 0.45, 1.1, 0.97, 3.5, 0.2, 1.25, 0.75, 1.8, 0.55, 1.03, 0.4, 0.65, 0.25, 0.85]
 
-def readings(rng):
-    """A reading near the limit of a gate, inside it or outside, on either side; often across north."""
-    x, P, R = float(rng.choice([3, 5, 90, 200, 355, 358])), float(rng.integers(1, 20)), float(rng.integers(1, 20))
+
+def readings(rng, trial):
+    """A reading so many times as far away as the gate is wide, on either side; often across north."""
+    x, side = [(1.0, -1), (359.0, 1), (float(rng.choice([5, 90, 200])), int(rng.choice([-1, 1])))][trial % 3]
     sigmas = float(rng.integers(2, 5))
-    share = rng.choice([0.3, 0.6, 0.75, 0.9, 1.1, 1.25, 1.5, 2.5]) * rng.choice([-1, 1])
-    return float(np.round((x + share * sigmas * np.sqrt(P + R)) % 360, 1)), x, P, R, sigmas
+    P, R = rng.choice([rng.integers(1, 4) / 4, rng.integers(2, 9), rng.integers(10, 40)], 2).tolist()
+    if abs(SHARES[trial] - 1) < 0.05:  # close to the limit, with a small S
+        P, R = (rng.integers(4, 12, 2) / 8).tolist()
+    P, R = {11: (20.0, 18.0)}.get(trial, (P, R))
+    away = SHARES[trial] * side * sigmas * np.sqrt(P + R)
+    return float(np.round((x + away) % 360, 2)), x, P, R, sigmas
 
 
 @exercise(
@@ -30,8 +37,8 @@ def readings(rng):
         ),
         "`return angle_difference(reading, x) ** 2 > sigmas**2 * (P + R)`",
     ],
-    inputs=readings,
-    wrong=WRONG["is_refused"],
+    inputs=in_turn(readings, *range(len(SHARES))),
+    wrong=WRONG["is_refused"] | MORE["is_refused"],
     then="Both sides are squared: the left one over S is the NIS, and 3σ is a limit of 9. An honest filter refuses 0.3 % of its good readings there.",
 )
 def is_refused(reading, x, P, R, sigmas):
@@ -43,7 +50,7 @@ def openings(rng):
     """How far away a new speaker is, and the variances of a filter that refuses its readings."""
     P, Q, R = float(rng.integers(1, 9)), float(rng.integers(1, 9) / 4), float(rng.integers(2, 12))
     n = rng.integers(3, 400)
-    return float(np.round(3 * np.sqrt(P + R + (n - 0.4) * Q), 2)), P, Q, R
+    return float(np.round(3 * np.sqrt(P + R + (n - rng.choice([0.2, 0.4, 0.6, 0.8])) * Q), 3)), P, Q, R
 
 
 @exercise(
@@ -54,7 +61,7 @@ def openings(rng):
     ],
     inputs=openings,
     rtol=1e-9,
-    wrong=WRONG["steps_shut"],
+    wrong=WRONG["steps_shut"] | MORE["steps_shut"],
     then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
 def steps_shut(away, P, Q, R):
@@ -66,9 +73,9 @@ def steps_shut(away, P, Q, R):
 
 
 def refusals(rng, n):
-    """Refused readings that cluster at two places, one of them near north, a new reading and a width."""
+    """Refused readings that cluster at two places, one of them near north, a new reading and a width; none on its edge."""
     places = rng.choice([2.0, 357.0, 40.0], n) + rng.choice([-9, -6.5, -3, 0, 3, 6.5, 9], n)
-    return np.mod(places, 360), float(rng.choice([1, 358, 41])), float(rng.choice([5.0, 8.0, 11.0]))
+    return np.mod(places, 360), float(rng.choice([1, 358, 41])), float(rng.choice([5.25, 8.25, 11.25]))
 
 
 @exercise(
@@ -78,7 +85,7 @@ def refusals(rng, n):
         "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
     ],
     inputs=in_turn(refusals, 2, 5, 3, 8),
-    wrong=WRONG["agreeing"],
+    wrong=WRONG["agreeing"] | MORE["agreeing"],
     then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
 )
 def agreeing(refused, reading, width):
@@ -86,16 +93,16 @@ def agreeing(refused, reading, width):
     return np.sum(abs(angle_difference(refused, reading)) <= width)
 
 
-def steps(rng):
+GATES = [0.5, 1.3, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 1.9, 0.8, 1.1, 0.25, 0.45, 1.25]
+
+
+def steps(rng, trial):
     """A belief, a reading inside the gate of 3σ, outside it, or outside only before the correction."""
-    x, P, Q, R = (
-        float(rng.choice([4, 120, 356])),
-        float(rng.integers(1, 9)),
-        float(rng.integers(2, 14)),
-        float(rng.integers(2, 40)),
-    )
-    share = rng.choice([0.2, 0.5, 0.7, 0.9, 0.97, 1.1, 1.3, 2.5, 4.0]) * rng.choice([-1, 1])
-    return x, P, float(np.round((x + 3 * share * np.sqrt(P + Q + R)) % 360, 1)), Q, R
+    x = float(rng.choice([4, 120, 356]))
+    P, Q, R = float(rng.integers(1, 25)), float(rng.integers(2, 14)), float(rng.integers(2, 40))
+    P, R = {12: (2.0, 40.0), 14: (24.0, 4.0)}.get(trial, (P, R))  # what is left after a correction: much, or little
+    away = 3 * GATES[trial] * rng.choice([-1, 1]) * np.sqrt(P + Q + R)
+    return x, P, float(np.round((x + away) % 360, 1)), Q, R
 
 
 def whole_turns_off(x, P, reading, Q, R):
@@ -112,8 +119,8 @@ def whole_turns_off(x, P, reading, Q, R):
         "`S = P + Q + R`, `y = angle_difference(reading, x)`; if `y**2 > 9 * S`: `return x, P + Q`. "
         "Else K = (P + Q)/S, and `return x + K * y, (1 - K) * (P + Q)`.",
     ],
-    inputs=steps,
-    wrong=WRONG["gated_step"],
+    inputs=in_turn(steps, *range(len(GATES))),
+    wrong=WRONG["gated_step"] | MORE["gated_step"],
     also=[whole_turns_off],
     then="The gate stands between prediction and correction, where the innovation and its S are those of this reading.",
 )
@@ -152,7 +159,8 @@ def gated_step(x, P, reading, Q, R):
     form=series,
     passing=PASSING,
     failing=FAILING,
-    then="A new speaker is found 15 readings late. No filter can know earlier: until it ends, an echo looks like a new speaker.",
+    then="A filter that knows the readings so far finds a new speaker 15 readings late at best: until it ends, an echo looks "
+    "like a new speaker. A design that looks at later readings, as a smoother does (lesson 23), is not late.",
 )
 def speaker(z):
     """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.

@@ -6,6 +6,7 @@ from kflearn import rmse
 from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
 from kflearn.exercises._slips_practice import WRONG as SLIPS
+from kflearn.exercises._slips_rooms import WRONG as MORE
 from kflearn.exercises._temperature_and_free_fall import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -25,7 +26,7 @@ def rooms(rng):
         "Two changes: `K * (reading - x)` and `np.sqrt((1 - K) * P)`.",
     ],
     inputs=rooms,
-    wrong=WRONG["mended_step"] | SLIPS["mended_step"],
+    wrong=WRONG["mended_step"] | SLIPS["mended_step"] | MORE["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
     then="With the truth in place of the reading the error looks far smaller than it would in a real room, where nobody knows the truth.",
 )
@@ -38,7 +39,7 @@ def mended_step(x, P, room, reading, Q, R):
 
 
 def days(rng, count):
-    """A short series of readings, once a single one; Q and R."""
+    """A short series of readings, two at least; Q and R."""
     z = rng.integers(220, 280, count) / 10
     Q, R = (float(value) for value in rng.integers(1, 60, 2) / 100)
     return z, Q, R
@@ -50,8 +51,8 @@ def days(rng, count):
         "Start with the variance of a reading, R. The first reading is used up by the start: the loop runs over `z[1:]`.",
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
-    inputs=in_turn(days, 3, 6, 4, 1, 9),
-    wrong=WRONG["room_filter"],
+    inputs=in_turn(days, 3, 6, 4, 2, 9),
+    wrong=WRONG["room_filter"] | MORE["room_filter"],
     then="A start at x = 0 with P = 10⁶ and a loop over all readings would give nearly the same: from so vague a start, the first correction makes x the first reading and P nearly R.",
 )
 def room_filter(z, Q, R):
@@ -113,7 +114,7 @@ def draws(rng, steps):
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
     inputs=in_turn(draws, 3, 5, 2, 1, 6),
-    wrong=WRONG["noise"] | SLIPS["noise"],
+    wrong=WRONG["noise"] | SLIPS["noise"] | MORE["noise"],
     fixed={"Q": "height and velocity are two states, so Q is always two by two"},
     then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
 )
@@ -138,7 +139,7 @@ def published_falls(rng, T):
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
     inputs=in_turn(published_falls, 6, 8, 7, 10),
-    wrong=_falling_report.WRONG["honest_report"],
+    wrong=_falling_report.WRONG["honest_report"] | MORE["honest_report"],
     fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
     then="Always print the error of ignoring all readings beside that of the filter. The published report leaves it out.",
 )

@@ -5,9 +5,11 @@ import math
 import numpy as np
 
 from kflearn.exercises import _two_fixes
-from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, of_claims, recording
+from kflearn.exercises._cart_seen import look
+from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, honest_at_first, honest_where_fine, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
+from kflearn.exercises._slips_train import WRONG as MORE
 from kflearn.exercises._train_and_ship import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -33,7 +35,8 @@ def speeds(rng):
         "Where anything between two limits is equally likely, the variance is (high − low)²/12. Add ((low + high)/2 − believed)².",
     ],
     inputs=speeds,
-    wrong=WRONG["start_variance"],
+    rtol=5e-3,  # a mean over many values between the limits is right as well
+    wrong=WRONG["start_variance"] | MORE["start_variance"],
     then="If the filter starts in the middle of the range, only (high − low)²/12 is left. For 0 to 10 m/s this is a speed of 5 m/s with σ = 2.9 m/s.",
 )
 def start_variance(low, high, believed):
@@ -62,7 +65,7 @@ def positions(rng, count):
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
     inputs=in_turn(positions, 6, 9, 7, 14),
-    wrong=WRONG["running_average"],
+    wrong=WRONG["running_average"] | MORE["running_average"],
     then="All readings in between cancel, so the average of five differences has a fifth of the error of one, not 1/√5 of it.",
 )
 def running_average(z, dt):
@@ -85,7 +88,7 @@ def fix_errors(rng, count):
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
     inputs=in_turn(fix_errors, 3, 12, 5, 2),
-    wrong=WRONG["report"],
+    wrong=WRONG["report"] | MORE["report"],
     then="You need both numbers. A large mean error says that the receiver is biased, and a filter that assumes errors of mean zero does not remove a bias.",
 )
 def report(errors):
@@ -162,7 +165,8 @@ def report(errors):
             lambda: 6 / 1.177**2,
             "You divided by the square of 1.177, and did not square the 6 m. First σ = 6 m/1.177, then the square of it.",
         ),
-    },
+    }
+    | MORE["data_sheet"],
     then="The same receiver could print 7.2 m (rms), 6.4 m (mean) or 12.5 m (95 %): always ask which of them a sheet means.",
 )
 def data_sheet():
@@ -185,7 +189,7 @@ def two_fixes(rng):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong=_two_fixes.WRONG["two_point_start"],
+    wrong=_two_fixes.WRONG["two_point_start"] | MORE["two_point_start"],
     then="Half the dt makes the σ of the speed twice as large. So two fixes further apart make the better start, as long as Q may be left out.",
 )
 def two_point_start(z0, z1, dt, R):
@@ -207,14 +211,14 @@ def two_point_start(z0, z1, dt, R):
             "position error (rms)",
             rms(0),
             high=4.4,
-            above="That is more than needed. Is R = sigma²? Does the filter go on by itself in the gaps?",
+            above=look("That is more than needed. Is R = sigma²? Does the filter go on by itself in the gaps?"),
             unit="m",
         ),
         Mark(
             "speed error (rms)",
             rms(1),
             high=1.25,
-            above="That is more than needed. Does Q contain sd² and dt, does the start know that speeds are within some m/s?",
+            above=look("That is more than needed. Does Q contain sd² and dt, is the start's speed within some m/s?"),
             unit="m/s",
         ),
         Mark(
@@ -222,8 +226,8 @@ def two_point_start(z0, z1, dt, R):
             inside(0),
             92,
             98,
-            below="The claim is too small: does P grow in the gaps, does Q have sd²?",
-            above="The claim is too large: are Q and R those of the recording?",
+            below=look("The claim is too small: does P grow in the gaps, does Q have sd²?"),
+            above=look("The claim is too large: are Q and R those of the recording?"),
             unit="%",
         ),
         Mark(
@@ -231,20 +235,34 @@ def two_point_start(z0, z1, dt, R):
             nees(),
             0.85,
             1.2,
-            below=of_claims(
-                "Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?"
-            ),
-            above=of_claims(
-                "Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?"
-            ),
+            below=look("Too modest: the squared errors are smaller than claimed. Is Q, R or the start's P too large?"),
+            above=look("Too sure: the squared errors are larger than claimed. Is Q, R or the start's P too small?"),
         ),
         Mark(
             "NEES / n where dt = 2 s",
             honest_at(2),
             0.7,
             1.35,
-            below="Too modest where the steps are long: how does Q depend on dt?",
-            above=of_claims("Too sure where the steps are long: how does Q depend on dt?"),
+            below=look("Too modest where the steps are long: how does Q depend on dt?"),
+            above=look("Too sure where the steps are long: how does Q depend on dt?"),
+        ),
+        Mark(
+            "NEES / n where sigma is small",
+            honest_where_fine,
+            0.85,
+            1.2,
+            below=look(
+                "Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"
+            ),
+            above=look(
+                "Where readings are fine the claim depends on Q: is it that of an acceleration which is held for dt?"
+            ),
+        ),
+        Mark(
+            "NEES / n at the first reading",
+            honest_at_first,
+            high=1.2,
+            above=look("Too sure at the start: what is known of position and speed at the first reading?"),
         ),
     ],
     form=track(2),

@@ -1,0 +1,132 @@
+"""What is wrong with a function, where it is the solution for other inputs than it was given (two arguments exchanged,
+one squared, one left out), or where a part of its results is missing.
+"""
+
+import copy
+from itertools import combinations, permutations
+
+import numpy as np
+
+from kflearn.exercises._answers import parts
+
+# What is made of one argument, and what is said of a function that is right for that; {a} is the argument's name
+CHANGED = [
+    (lambda v: v**2, "{a} squared, in place of {a}. Is there a square too many, or a root missing?"),
+    (np.sqrt, "√{a}, in place of {a}. Is there a root too many, or a square missing?"),
+    (lambda v: 0 * v, "{a} = 0: {a} is left out, or cancels."),
+    (lambda v: -v, "−{a}: the sign of {a} is the opposite."),
+    (lambda v: 2 * v, "twice {a}, in place of {a}."),
+    (lambda v: v / 2, "half of {a}, in place of {a}."),
+    (lambda v: 1 / v, "1/{a}, in place of {a}."),
+    (lambda v: _square(v).T, "the transpose of {a}, in place of {a}."),
+    (lambda v: np.diag(np.diag(_square(v))), "the diagonal of {a} alone: its other entries are not used."),
+    (lambda v: _row(v)[:-1], "{a} without its last entry."),
+    (lambda v: _row(v)[1:], "{a} without its first entry."),
+    (lambda v: _row(v)[::-1], "{a} in the opposite order."),
+]  # fmt: skip
+
+
+def _square(value):
+    """The value, where it is a square matrix with something to turn round."""
+    if np.ndim(value) != 2 or len(value) != len(np.transpose(value)) or len(value) < 2:
+        raise ValueError
+    return np.asarray(value)
+
+
+def _row(value):
+    """The value, where it is a series."""
+    if np.ndim(value) != 1:
+        raise ValueError
+    return np.asarray(value)
+
+
+def as_if(results, exercise, close) -> str | None:
+    """What is said of a function that is right for other arguments, in all trials; None where none or several fit.
+
+    Nothing is said where True or False is wanted: in so few bits too much looks alike.
+    """
+    cases, names = exercise.cases, exercise.parameters
+    if isinstance(exercise._solve(*copy.deepcopy(cases[0])), (bool, np.bool_)):
+        return None
+    fits = lambda change: _fits(results, cases, exercise._solve, close, change)  # noqa: E731
+    found = [
+        f"{names[i]} and {names[j]} exchanged: look where each of them stands."
+        for i, j in combinations(range(len(names)), 2)
+        if fits(lambda case, i=i, j=j: _exchanged(case, i, j))
+    ]
+    for i, j in permutations(range(len(names)), 2):
+        if fits(lambda case, i=i, j=j: (*case[:i], case[j], *case[i + 1 :])):
+            found = [f"{names[j]} in place of {names[i]}."]
+    for i, name in enumerate(names):
+        for change, words in CHANGED:
+            if name not in exercise.fixed and fits(lambda case, i=i, c=change: (*case[:i], c(case[i]), *case[i + 1 :])):
+                found.append(words.format(a=name))
+    return f"The result is what would be right for {found[0]}" if len(found) == 1 else None
+
+
+def blind(function, exercise, close) -> str | None:
+    """Which argument could have any values, though the result should depend on it; None where there is none."""
+    for i, name in enumerate(exercise.parameters):
+        told = [_moves(function, exercise._solve, case, i, close) for case in exercise.cases]
+        if told.count(False) >= 3 and True not in told:
+            return f"The result does not depend on {name}: with other values in it, it stays the same."
+    return None
+
+
+def _moves(function, solve, case, i, close):
+    """Whether a function's numbers change with the argument, where those of the solution do; else None."""
+    try:
+        other = (*case[:i], 1.37 * np.asarray(case[i], float) + 0.61, *case[i + 1 :])
+        before, after, *right = (each(*copy.deepcopy(c)) for each in (function, solve) for c in (case, other))
+        if np.asarray(_values(right[0])[0]).dtype.kind != "f" or all(map(close, *map(_values, right))):
+            return None
+        return not all(np.array_equal(*pair) for pair in zip(_values(before), _values(after), strict=True))
+    except Exception:  # values that cannot be changed so
+        return None
+
+
+def _exchanged(case, i, j):
+    if np.shape(case[i]) != np.shape(case[j]):
+        raise ValueError
+    new = list(case)
+    new[i], new[j] = case[j], case[i]
+    return tuple(new)
+
+
+def _fits(results, cases, solve, close, change):
+    """Whether all results are those of the solution for changed inputs."""
+    try:
+        for result, case in zip(results, cases, strict=True):
+            other = solve(*change(copy.deepcopy(case)))
+            rows = [_values(each) for each in (result, other)]
+            if len(rows[0]) != len(rows[1]) or not all(map(close, *rows)):
+                return False
+    except Exception:  # inputs that cannot be changed in this way, or a solution that does not take them
+        return False
+    return True
+
+
+def _values(result):
+    return list(result) if isinstance(result, (list, tuple)) else list(parts(result).values()) or [result]
+
+
+def one_of(results, rights, names, close) -> str | None:
+    """What is said of results that are one of several parts that are wanted; None where they are not."""
+    wanted = [list(parts(right).values()) for right in rights]
+    for i, name in enumerate(names):
+        try:
+            found = all(close(result, right[i]) for result, right in zip(results, wanted, strict=True))
+        except Exception:  # of no form that can be compared
+            continue
+        if found:
+            missing = " and ".join(other for other in names if other != name)
+            return f"The result is {name} alone, and it is right. Return {missing} as well: `return …, …`."
+    return None
+
+
+def once_each(told):
+    """What is said of the parts of a result, {part: words}, in sentences of which none comes twice."""
+    for words in dict.fromkeys(told.values()):
+        first, *more = [name for name, same in told.items() if same == words]
+        also = f" The same holds of {' and '.join(more)}." if more else ""
+        yield f"{first[0].upper()}{first[1:]} of the result {words}{also}"
