@@ -5,7 +5,7 @@ from itertools import cycle
 import numpy as np
 from scipy import ndimage
 
-from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball
+from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_signs
 from kflearn.exercises._judge import track
 from kflearn.exercises.engine import exercise, judged
 
@@ -153,6 +153,7 @@ def gravity(rows):
     then="Where does it pay? Compare with the detections in the frames where the ball was seen: an R of several px² is what makes a filter worth its lines here.",
     passing=_thrown_ball.PASSING,
     failing=_thrown_ball.FAILING,
+    signs=_thrown_ball_signs.SIGNS,
 )
 def thrown_ball(z, g, q, R):
     """Write the whole tracker for a ball in the air: the mean (T, 4) and the covariance (T, 4, 4) in every frame.

@@ -4,7 +4,7 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _a_ride
+from kflearn.exercises import _a_ride, _a_ride_signs
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._your_data import WRONG
@@ -260,6 +260,7 @@ def variance_at_rest(time, z, until):
     then="Here the truth was known. For a file of your own the report card takes its place: hand it this filter, and read each line.",
     passing=_a_ride.PASSING,
     failing=_a_ride.FAILING,
+    signs=_a_ride_signs.SIGNS,
 )
 def ride(time, z, q):
     """From the arrays of a file to a filter that can be defended: mean (T, 4) and covariance (T, 4, 4) at each time stamp.
