@@ -46,7 +46,9 @@ def gravity(answer, answers, recordings):
         return words
     other = [added(*pair(a), BY_AXIS)[0][dark(r)] for a, r in zip(answers, recordings, strict=True)]
     if all(np.ptp(push, axis=0).max() < 1e-6 for push in other):
-        return "Your F moves the first state by the second. Here they are column and row; the velocities come after them."
+        return (
+            "Your F moves the first state by the second. Here they are column and row; the velocities come after them."
+        )
     return None
 
 
@@ -54,8 +56,14 @@ PUSHES = [
     ([0, 0.5, 0, 1], None),
     ([0, 0, 0, 0], "Gravity is missing: in frames without a detection your state moves on without any push."),
     ([0, 0, 0, 1], "Your gravity changes the velocity only. Within the frame it moves the row as well, by g/2."),
-    ([0, 0.5, 0, 0], "Your gravity moves the row and leaves its velocity as it was. The velocity grows by g in a frame."),
-    ([0, 1, 0, 1], "Your gravity moves the row by g in a frame. The velocity grows during the frame: the row moves by g/2."),
+    (
+        [0, 0.5, 0, 0],
+        "Your gravity moves the row and leaves its velocity as it was. The velocity grows by g in a frame.",
+    ),
+    (
+        [0, 1, 0, 1],
+        "Your gravity moves the row by g in a frame. The velocity grows during the frame: the row moves by g/2.",
+    ),
     ([0, -0.5, 0, -1], "Your gravity points upwards. Rows grow downwards, and so does the push: its sign is plus."),
     ([0.5, 0, 1, 0], "Your gravity pushes the column. The row is the second state, its velocity the fourth."),
     ([0.5, 0.5, 1, 1], "Your gravity pushes column and row. Only the row falls."),
@@ -69,7 +77,12 @@ def kicks(answer, answers, recordings):
     """What is added to P where nothing is seen."""
     q = np.array([inputs[2] for inputs, _ in recordings])[:, None, None]
     table = [(q * kick, words) for kick, words in KICKS]
-    for other, words in ((q**2, "q squared"), (q**0.5, "the root of q"), (q**0, "1 for q"), (0.01 + 0 * q, "the lesson's 0.01 for q")):
+    for other, words in (
+        (q**2, "q squared"),
+        (q**0.5, "the root of q"),
+        (q**0, "1 for q"),
+        (0.01 + 0 * q, "the lesson's 0.01 for q"),
+    ):
         table.append((other * KICK, f"Your Q is the right matrix, but with {words}. q is the variance that is given."))
     return recognised(in_the_dark(answers, recordings)[1], table, q[:, 0, 0])
 
@@ -116,13 +129,13 @@ def gates(answer, answers, recordings):
     used, good, bad = facts(answers, recordings)
     refused = [np.isinf(u) for u in used]
     first = [(np.arange(len(u)) < 9) & g for u, g in zip(used, good, strict=True)]
-    if share(refused, good) > 0.99:
-        return "Your filter uses none of the detections: P never becomes smaller where the ball is seen."
     if share(refused, first) > 0.15 and pair(answers[0])[1][0, 3, 3] < 300:
         return (
             f"Your filter refuses {100 * share(refused, first):.0f} % of the detections in the first ten frames, and these "
             "are all of the ball. No start is given. Is P wide enough at first for a velocity that nobody knows?"
         )
+    if share(refused, good) > 0.99:
+        return "Your filter uses none of the detections: P never becomes smaller where the ball is seen."
     if share(refused, bad) < 0.5:
         return (
             "Your filter uses detections of something else, far from where the ball must be. Is there a gate, by the NIS, "

@@ -4,7 +4,7 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _unknown_sensor
+from kflearn.exercises import _unknown_sensor, _unknown_sensor_signs
 from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
@@ -189,6 +189,7 @@ def mixture_cov(p, means, covs):
     then="A bank with the candidates 1, 4 and 16 m² that may change, as in lesson 18, is nearer to the truth in the 25 steps after a change: 1.03 m against 1.13 m with a window of 30, where the sensor becomes good again.",
     passing=_unknown_sensor.PASSING,
     failing=_unknown_sensor.FAILING,
+    signs=_unknown_sensor_signs.SIGNS,
 )
 def unknown_sensor(z, F, Q, mean, cov):
     """Write a filter that learns R: the mean (T, 2) and the covariance (T, 2, 2) after each of T steps.
