@@ -207,8 +207,10 @@ def source_has(function, pattern) -> bool:
     """Whether a function's source holds a pattern, as far as it can be read."""
     try:
         return re.search(pattern, inspect.getsource(function)) is not None
-    except (OSError, TypeError):
-        return True  # it cannot be read: nothing speaks against it
+    except (OSError, TypeError):  # it cannot be read: a name of the pattern must be among those that the code uses
+        code = getattr(function, "__code__", None)
+        names = {*code.co_names, *code.co_varnames} if code else set()
+        return code is None or any(word in names for word in re.findall(r"[A-Za-z_]{3,}", pattern))
 
 
 def raises(function, case, kind) -> bool:

@@ -7,6 +7,7 @@ from scipy import ndimage
 
 from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_signs
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise, judged
 
 WRONG = _ball_in_a_video.WRONG | _ball_tracker.WRONG
@@ -66,7 +67,7 @@ def a_gap(rng):
         "`return F @ x + push, F @ P @ F.T + Q`",
     ],
     inputs=a_gap,
-    wrong=WRONG["coast"],
+    wrong=WRONG["coast"] | SLIPS["coast"],
     then="P grows in every frame without a ball, and S with it: so the gate is wide enough when the ball comes back.",
 )
 def coast(x, P, F, push, Q):
@@ -88,7 +89,7 @@ def a_start(rng):
         "`return s / (p + s + R) * y`",
     ],
     inputs=a_start,
-    wrong=WRONG["first_velocity"],
+    wrong=WRONG["first_velocity"] | SLIPS["first_velocity"],
     then=(
         "With p = s = 100² px² and a small R nearly half of 120 px is taken for velocity; with p = 100² and s = "
         "10² about a hundredth of it."
