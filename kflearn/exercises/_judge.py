@@ -149,6 +149,8 @@ def track(states, names="mean and covariance"):
         if _shape(answer) == (T, states):
             return "holds the means only, and the covariance is missing: return means and covariances"
         mean, cov = pair(answer)
+        if np.shape(mean)[1:] == (states,) and len(mean) < T:
+            return f"has {len(mean)} rows for {T} readings: one is wanted for each, the first and those without a value too"
         if np.shape(mean) != (T, states):
             return f"should hold a mean of shape {(T, states)}, but it is of shape {np.shape(mean)}"
         if np.shape(cov) != (T, states, states):

@@ -249,6 +249,10 @@ SLIPS["economical"] = {
         in_blocks(lambda C, F, fading, q: fading * C @ F),
         "F stands on the left of C, whose rows are the states.",
     ),
+    "first bias only": (
+        lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C[:, :1], fading**2 * B + q),
+        "P and B are right. C holds the first bias only: there may be more of them, one column for each.",
+    ),
     "q faded": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C, fading**2 * (B + q)),
         "P and C are right. q is added after the fading: fading² B + q.",

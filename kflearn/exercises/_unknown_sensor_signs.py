@@ -59,6 +59,9 @@ MOVES = [
 def used(answers, recordings):
     """For each recording: the R used in each step but the first, and where there is a reading."""
     pairs = list(zip(answers, recordings, strict=True))
+    extra = [abs(added(*pair(a), r[0][1])[1][empty(r)] - r[0][2]).max(axis=(1, 2)) / r[0][2].max() for a, r in pairs]
+    if np.median(np.concatenate(extra)) > 0.5:
+        raise ValueError("no filter, so its corrections cannot be read")
     return [used_R(pair(a)[1], r[0][1], r[0][2], H) for a, r in pairs], [~empty(r) for _, r in pairs]
 
 
@@ -103,7 +106,8 @@ def follows(answer, answers, recordings):
         after = after[np.isfinite(after)]
         level[new].append(np.median(after[45:]))
         there = after < 3 if new == GOOD else after > 8
-        needed[new].append(next((n for n in range(len(there)) if there[n : n + 30].mean() > 0.7), len(there)))
+        wrong = [n for n in range(len(there) - 15) if there[n : n + 15].mean() < 0.5]
+        needed[new].append(wrong[-1] + 8 if wrong else 0)
     if words := restless(R, recordings):
         return words
     good, bad = np.median(level[GOOD]), np.median(level[BAD])
