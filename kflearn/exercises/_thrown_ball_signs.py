@@ -44,12 +44,26 @@ def gravity(answer, answers, recordings):
     table.append(([np.array([0, 3.0, 0, 6.0])] * len(g), "Your gravity is the lesson's, 6 px/frame². Here g is given."))
     if words := recognised(found, table, 100 * g[:, 0] ** 0):
         return words
-    other = [added(*pair(a), BY_AXIS)[0][dark(r)] for a, r in zip(answers, recordings, strict=True)]
-    if all(np.ptp(push, axis=0).max() < 1e-6 for push in other):
+    if all(
+        np.allclose(push, up, rtol=1e-6, atol=1e-6) for push, up in zip(found, g * np.array(PUSHES[0][0]), strict=True)
+    ):
+        return None
+    if steady(answers, recordings, BY_AXIS):
         return (
             "Your F moves the first state by the second. Here they are column and row; the velocities come after them."
         )
+    if steady(answers, recordings, F):
+        return (
+            f"In a frame without a detection your state is pushed by {np.round(found[0], 2).tolist()}, where g is "
+            f"{g[0, 0]:.2f} px/frame². Gravity moves the row by g/2 in a frame, and its velocity by g."
+        )
     return None
+
+
+def steady(answers, recordings, moves):
+    """Whether the same is added to the state in all frames without a detection of a recording."""
+    pushes = [added(*pair(a), moves)[0][dark(r)] for a, r in zip(answers, recordings, strict=True)]
+    return all(np.ptp(push, axis=0).max() < 1e-6 for push in pushes)
 
 
 PUSHES = [
@@ -84,7 +98,14 @@ def kicks(answer, answers, recordings):
         (0.01 + 0 * q, "the lesson's 0.01 for q"),
     ):
         table.append((other * KICK, f"Your Q is the right matrix, but with {words}. q is the variance that is given."))
-    return recognised(in_the_dark(answers, recordings)[1], table, q[:, 0, 0])
+    found = in_the_dark(answers, recordings)[1]
+    words = recognised(found, table, q[:, 0, 0])
+    if words or not is_filter(answers, recordings) or np.allclose(found, q * KICK, rtol=1e-3, atol=1e-6):
+        return words
+    return (
+        f"In a frame without a detection your P grows by {np.round(found[0], 2).tolist()} beyond F P Fᵀ, where q is {q[0, 0, 0]:g}. "
+        "It should grow by q times the lesson's matrix."
+    )
 
 
 EACH = np.eye(2)
@@ -129,14 +150,23 @@ def trusts(answer, answers, recordings):
         (2 * R, "Your corrections use 2 R. R is the variance of each axis by itself."),
         (R / 2, "Your corrections use R/2. R is the variance of each axis by itself."),
     ]
-    return recognised(found, table, R)
+    words, ratio = recognised(found, table, R), np.median(found / R)
+    if words or 0.99 < ratio < 1.01 or not np.isfinite(ratio):
+        return words
+    return f"Your corrections use {ratio:.3g} times the R that is given (median of the recordings)."
 
 
-def gates(answer, answers, recordings):
-    """Which detections are left unused."""
-    used, good, bad = facts(answers, recordings)
+def begins(answer, answers, recordings):
+    """The start, which shows in what is refused of the first ten detections."""
+    used, good, _ = facts(answers, recordings)
     refused = [np.isinf(u) for u in used]
     first = [(np.arange(len(u)) < 9) & g for u, g in zip(used, good, strict=True)]
+    away = [abs(pair(a)[0][0, :2] - r[0][0][0]).max() for a, r in zip(answers, recordings, strict=True)]
+    if share(refused, good) > 0.1 and np.median(away) > 30:
+        return (
+            f"Your state begins {np.median(away):.0f} px from the first detection (median), and then good detections are refused. "
+            "No start is given, but the first ten detections are of the ball."
+        )
     if share(refused, first) > 0.9 and pair(answers[0])[1][:, 1, 1].min() > 0:
         return (
             "Your filter refuses nearly all detections from the first frames on, and the first ten are all of the ball. No "
@@ -147,6 +177,13 @@ def gates(answer, answers, recordings):
             f"Your filter refuses {100 * share(refused, first):.0f} % of the detections in the first ten frames, and these "
             "are all of the ball. No start is given. Is P wide enough at first for a velocity that nobody knows?"
         )
+    return None
+
+
+def gates(answer, answers, recordings):
+    """Which detections are left unused."""
+    used, good, bad = facts(answers, recordings)
+    refused = [np.isinf(u) for u in used]
     if share(refused, good) > 0.99:
         return "Your filter uses none of the detections: P never becomes smaller where the ball is seen."
     if share(refused, bad) < 0.5:
@@ -164,6 +201,11 @@ def gates(answer, answers, recordings):
 
 def moves(answer, answers, recordings):
     """How far a detection moves the state, beside what the covariance says of the gain."""
+    if not all(
+        np.allclose(push, [0, r[0][1] / 2, 0, r[0][1]], atol=1e-6)
+        for push, r in zip(in_the_dark(answers, recordings)[0], recordings, strict=True)
+    ):
+        return None
     turned, moved, used = [], [], facts(answers, recordings)[0]
     for a, (inputs, _), R_used in zip(answers, recordings, used, strict=True):
         (mean, cov), (z, g, _, R) = pair(a), inputs
@@ -186,4 +228,4 @@ def moves(answer, answers, recordings):
 
 
 ORDER = "In another order of your states all of this passes. The order is: column, row, velocity of the column, velocity of the row."
-SIGNS = [predictions(), another_order(MARKS, ORDER), stands_still, gravity, kicks, trusts, moves, gates]
+SIGNS = [predictions(), another_order(MARKS, ORDER), stands_still, gravity, kicks, trusts, moves, begins, gates]

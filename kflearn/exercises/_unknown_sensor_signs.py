@@ -91,7 +91,7 @@ def constant(answer, answers, recordings):
     if np.ptp(late) < 1e-3 * late.min() or all(
         np.ptp(each[s][60:]) < 1e-3 * each[s][60:].min() for each, s in zip(R, seen, strict=True)
     ):
-        return "Your R̂ does not change any more after a while. The sensor may change at any moment: go on learning."
+        return "Your R̂ does not change any more after a while. The sensor may change at any moment: go on learning, and let a bank change."
     return None
 
 
