@@ -167,7 +167,7 @@ def begins(answer, answers, recordings):
             f"Your state begins {np.median(away):.0f} px from the first detection (median), and then good detections are refused. "
             "No start is given, but the first ten detections are of the ball."
         )
-    if share(refused, first) > 0.9 and pair(answers[0])[1][:, 1, 1].min() > 0:
+    if share(refused, first) > 0.9:
         return (
             "Your filter refuses nearly all detections from the first frames on, and the first ten are all of the ball. No "
             "start is given: does x begin at the first detection, and is P wide enough for a velocity that nobody knows?"

@@ -95,22 +95,41 @@ def constant(answer, answers, recordings):
     return None
 
 
-def follows(answer, answers, recordings):
-    """How many steps R̂ needs after a change, and where it ends."""
-    R, _ = used(answers, recordings)
+def learnt(R, recordings):
+    """Where R̂ ends after the change, and how many readings that takes: for each new level of R, the median."""
     level, needed = {GOOD: [], BAD: []}, {GOOD: [], BAD: []}
     for each, (_, truth) in zip(R, recordings, strict=True):
-        change = np.flatnonzero(np.diff(truth[:, 2]))[0]
-        new = truth[-1, 2]
-        after = each[change:]
+        after, new = each[np.flatnonzero(np.diff(truth[:, 2]))[0] :], truth[-1, 2]
         after = after[np.isfinite(after)]
-        level[new].append(np.median(after[45:]))
         there = after < 3 if new == GOOD else after > 8
         wrong = [n for n in range(len(there) - 15) if there[n : n + 15].mean() < 0.5]
+        level[new].append(np.median(after[45:]))
         needed[new].append(wrong[-1] + 8 if wrong else 0)
-    if words := restless(R, recordings):
+    return [np.median(each[new]) for each in (level, needed) for new in (GOOD, BAD)]
+
+
+def follows(answer, answers, recordings):
+    """R̂ after a change."""
+    R, _ = used(answers, recordings)
+    good, bad, until_good, until_bad = learnt(R, recordings)
+    if words := restless(R, recordings) or ends(good, bad):
         return words
-    good, bad = np.median(level[GOOD]), np.median(level[BAD])
+    granted = "and 45 steps are granted"
+    if until_good > 40 or good > 5:
+        return (
+            f"After the sensor has become good it takes {until_good:.0f} readings (median) until your R̂ is mostly below 3 m², {granted}. "
+            "The bad readings count for too long: a window must be shorter, a mean must forget, and a bank must be allowed to change."
+        )
+    if until_bad > 40:
+        return (
+            f"After the sensor has become bad it takes {until_bad:.0f} readings (median) until your R̂ is mostly above 8 m², {granted}. "
+            "Let newer innovations count for more."
+        )
+    return None
+
+
+def ends(good, bad):
+    """Where R̂ ends."""
     if 2.5 < bad < 5.5 and good < 2:
         return (
             f"Your R̂ is about {bad:.2g} m² where the sensor's R is 16 m². Is a standard deviation, or a root, in place of a "
@@ -122,18 +141,6 @@ def follows(answer, answers, recordings):
         return (
             f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m²: too large both "
             "times. Is HP⁻Hᵀ taken off C?"
-        )
-    slow = {new: np.median(steps) for new, steps in needed.items()}
-    if slow[GOOD] > 40 or good > 5:
-        return (
-            f"After the sensor has become good it takes {slow[GOOD]:.0f} readings (median) until your R̂ is mostly below 3 m², and 45 steps are "
-            "granted. The bad readings count for too long: a window must be shorter, a mean must forget, and a bank must be "
-            "allowed to change."
-        )
-    if slow[BAD] > 40:
-        return (
-            f"After the sensor has become bad it takes {slow[BAD]:.0f} readings (median) until your R̂ is mostly above 8 m², and 45 steps are "
-            "granted. Let newer innovations count for more."
         )
     return None
 
