@@ -2,24 +2,28 @@
 
 import numpy as np
 
-from kflearn.exercises._judge import Mark, inside, nees, rms
+from kflearn.exercises._judge import Mark, inside, nees, pair, rms
 
 REST = 30.0  # seconds at the beginning in which nothing moves
+T, HOLE = 60, 46  # readings, and the one that follows the long hole
 H = np.kron(np.eye(2), [[1, 0]])
 
 
-def moving(dt, q):
+def white(dt):
+    """Q of a step on one axis, with q = 1."""
+    return [[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]]
+
+
+def moving(dt, q, push=white):
     """F and Q of a step, for [east, its speed, north, its speed]."""
-    F = np.kron(np.eye(2), [[1, dt], [0, 1]])
-    return F, q * np.kron(np.eye(2), [[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
+    return np.kron(np.eye(2), [[1, dt], [0, 1]]), q * np.kron(np.eye(2), push(dt))
 
 
 def a_ride(rng):
-    """76 readings; q; and the truth. R is not told."""
-    dt = rng.choice([0.5, 1.0, 1.0, 1.0, 2.0], 76) * rng.choice([0.8, 1.0, 1.2])
-    hole = int(rng.integers(50, 68))
-    dt[hole] = rng.integers(12, 20)
-    time, q, sigma = np.cumsum(dt), rng.integers(2, 9) / 10, np.exp(rng.uniform(0, 2))
+    """60 readings; q; and the truth. R is not told."""
+    dt = rng.choice([0.5, 1.0, 1.0, 1.0, 2.0], T) * rng.choice([0.8, 1.0])
+    dt[HOLE] = rng.integers(12, 20)
+    time, q, sigma = np.cumsum(dt), rng.integers(2, 6) / 10, np.exp(rng.uniform(0.7, 2.3))
     state, states = np.array([rng.uniform(-200, 200), 0, rng.uniform(-200, 200), 0]), []
     for k, step in enumerate(dt):
         if time[k] >= REST:
@@ -27,22 +31,23 @@ def a_ride(rng):
             state = F @ state + np.linalg.cholesky(Q) @ rng.standard_normal(4)
         states.append(state)
     truth = np.array(states)
-    z = truth @ H.T + sigma * rng.standard_normal((len(dt), 2))
-    ride = np.flatnonzero(time > REST + 8)
-    ride = ride[abs(ride - hole) > 3]
-    for k in rng.choice(ride, 4, replace=False):  # reflections
-        z[k] += 25 * sigma * np.array([np.cos(a := rng.uniform(0, 6.28)), np.sin(a)])
-    z[rng.choice(ride, 5, replace=False)] = np.nan
+    z = truth @ H.T + sigma * rng.standard_normal((T, 2))
+    ride = np.flatnonzero(time > REST + 4)
+    ride = ride[abs(ride - HOLE) > 3]
+    for k in rng.choice(ride, 3, replace=False):  # reflections
+        z[k] += 30 * sigma * np.array([np.cos(a := rng.uniform(0, 6.28)), np.sin(a)])
+    z[rng.choice(ride, 3, replace=False)] = np.nan
+    z[HOLE] = np.nan  # so that P at the end of the hole is all Q's
     return (time, z, q), truth
 
 
-def follow(time, z, q, R=None, gate=13.8, dt=None, start=0.1):
+def follow(time, z, q, R=None, gate=13.8, dt=None, start=0.1, push=white):
     """The lesson's filter: R from the rest, F and Q for each step, a gate."""
     R = np.nanvar(z[time < REST], axis=0, ddof=1).mean() if R is None else R
     x, P = np.array([z[0, 0], 0, z[0, 1], 0]), np.kron(np.eye(2), np.diag([R, start]))
     rows = [(x, P)]
     for step, seen in zip(np.diff(time) if dt is None else dt * np.ones(len(time) - 1), z[1:], strict=True):
-        F, Q = moving(step, q)
+        F, Q = moving(step, q, push)
         x, P = F @ x, F @ P @ F.T + Q
         y, S = seen - H @ x, H @ P @ H.T + R * np.eye(2)
         if y @ np.linalg.solve(S, y) < gate:
@@ -79,25 +84,44 @@ def of_rest(z, time):
     return z[time < REST]
 
 
+def at_the_hole(answers, truths):
+    """The mean of error² / P of each state at the end of the long hole, where no reading has come yet."""
+    found = []
+    for answer, truth in zip(answers, truths, strict=True):
+        mean, cov = pair(answer)
+        found.append((truth[HOLE] - mean[HOLE]) ** 2 / np.diag(cov[HOLE]))
+    return np.mean(found)
+
+
+def beside_it(value):
+    """A number of all rows but that at the end of the long hole."""
+
+    def rest(answers, truths):
+        kept = [tuple(np.delete(part, HOLE, axis=0) for part in pair(answer)) for answer in answers]
+        return value(kept, [np.delete(truth, HOLE, axis=0) for truth in truths])
+
+    return rest
+
+
 MARKS = [
     Mark(
         "error of east (rms, after the rest)",
-        rms(0, 36),
-        high=3.9,
+        beside_it(rms(0, 30)),
+        high=5.5,
         unit="m",
         above="Is there a gate for readings that are far off, by the NIS of two numbers? At 9 it refuses one good reading in 90, at 3 one "
         "in five. And has each step its own F and Q, with its own Δt?",
     ),
     Mark(
         "error of the speed towards east (rms)",
-        rms(1, 36),
+        beside_it(rms(1, 30)),
         high=1.5,
         unit="m/s",
         above="Look at Δt in F, at Q, and at the order of the states: east, its speed, north, its speed.",
     ),
     Mark(
         "truth within ±2σ of east",
-        inside(0, 36),
+        beside_it(inside(0, 30)),
         low=90,
         high=99,
         unit="%",
@@ -106,11 +130,19 @@ MARKS = [
     ),
     Mark(
         "NEES / 4",
-        nees(36),
+        beside_it(nees(30)),
         low=0.75,
         high=1.4,
         below="The covariance is too large for the errors: look at R.",
         above="The covariance is too small for the errors: look at the gate, at R, and at the long step.",
+    ),
+    Mark(
+        "error² / P at the end of the long hole",
+        at_the_hole,
+        low=0.4,
+        high=2.2,
+        below="There your P is far too large. Over a long step it shows which Δt, and which power of it, stands in Q.",
+        above="There your P is far too small. Have F and Q of the long step its own Δt?",
     ),
 ]
 PASSING = {
@@ -128,4 +160,5 @@ FAILING = {
     "R from the ride": lambda time, z, q: follow(time, z, q, R=np.nanvar(z, axis=0).mean()),
     "R about one mean for both axes": lambda time, z, q: follow(time, z, q, R=np.nanvar(of_rest(z, time))),
     "σ for R": lambda time, z, q: follow(time, z, q, R=np.nanvar(of_rest(z, time), axis=0, ddof=1).mean() ** 0.5),
+    "one push a step": lambda time, z, q: follow(time, z, q, push=lambda d: [[d**4 / 4, d**3 / 2], [d**3 / 2, d**2]]),
 }

@@ -66,10 +66,10 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
     verdict = next((words for words, twin in _relatives(right) if _close(given, twin, rtol).all()), "")
     if reveal:
         return f"{subject} is {_beside(given, right, at, verdict)}."
+    if not verdict and by_hand and all(map(_is_rounded, given[~good], right[~good])):
+        verdict = "is rounded too much: give three digits or more"
     if not verdict and right.size > 1:
         verdict = f"differs in {(~good).sum()} of {right.size} entries: {list(at)} is {direction}"
-    if not verdict and by_hand and given.size == 1 and _is_rounded(given.item(), right.item()):
-        verdict = "is rounded too much: give three digits or more"
     return f"{subject} {verdict or f'is {direction}'}."
 
 
@@ -123,6 +123,8 @@ def _numbers(answer, right):
             array = array.astype(float)
         except (TypeError, ValueError, OverflowError):
             raise Misfit(f"of type {kind}") from None
+    if array.dtype.kind == "b" and array.ndim and right.dtype.kind in "iu" and np.isin(right, (0, 1)).all():
+        array = array.astype(int)  # True and False for 1 and 0
     if array.dtype.kind not in "iuf" and array.dtype.kind != right.dtype.kind:
         holding = f", holding {array.dtype.type.__name__.strip('_')}" if array.ndim else ""
         raise Misfit(f"of type {kind}{holding}")
@@ -169,7 +171,7 @@ def _to_three_digits(given, right):
 
 def _is_rounded(given, right):
     """Whether a typed number is the right one, rounded to two digits."""
-    return isinstance(right, float) and not right.is_integer() and given == float(f"{right:.2g}")
+    return isinstance(right, float) and not float(right).is_integer() and given == float(f"{right:.2g}")
 
 
 def is_whole(right):

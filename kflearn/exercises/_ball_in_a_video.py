@@ -89,7 +89,7 @@ WRONG["true_radius"] = {
     ),
     "label 1": (
         lambda d: disc_radius(ndimage.label(d)[0] == 1),
-        "Label 1 is the region that comes first, at the top left: here it is a stray pixel. The ball is the one that holds the eroded core.",
+        "You took the region of `differs` with the number 1, or with the number that the eroded ball has among the eroded regions. Each labelling counts anew, from the top left: here that region is a stray pixel. The ball is the region that holds the eroded core.",
     ),
     "scaled": (
         lambda d: disc_radius(core(d)) * 14 / 11.84,

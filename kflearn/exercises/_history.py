@@ -16,7 +16,7 @@ CALM = {
 
 def wrong_letters():
     """Every choice of up to three letters but the right one, with what to say: first what is too much, then what is missing."""
-    for letters in (set(c) for size in (1, 2, 3) for c in itertools.combinations("ABCD", size)):
+    for letters in (set(c) for size in (1, 2, 3, 4) for c in itertools.combinations("ABCD", size)):
         too_many = [text for letter, text in DISTURBED.items() if letter in letters]
         missing = [text for letter, text in CALM.items() if letter not in letters]
         if too_many:

@@ -65,7 +65,7 @@ def as_in_the_lesson(z, g, q, R):
 
 GATE = (
     "Is there a gate, by the NIS and before the correction? And is it not so narrow that it refuses one good detection "
-    "after another? Start, g, q and R are those that are given, not the lesson's."
+    "after another? g, q and R are those that are given, not the lesson's; no start is given."
 )
 MARKS = [
     Mark("error of the row (rms, from frame 10 on)", rms(1, 10), high=4.2, unit="px", above=GATE),

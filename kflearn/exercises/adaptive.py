@@ -4,10 +4,11 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _unknown_sensor
+from kflearn.exercises import _unknown_sensor, _unknown_sensor_signs
 from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_adaptive import SLIPS
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -25,7 +26,7 @@ from kflearn.exercises.engine import exercise, judged
     wrong={
         "R for S": (
             200,
-            "You took R = 1 for the variance of an innovation. It is S = 1 + 0.3: the prediction is uncertain too.",
+            "200 is 2 (1/0.1)², which holds for S = 1 m². An innovation has S = 1 + 0.3: the prediction is uncertain too.",
         ),
         "2 forgotten": (169, "You forgot the 2: the square of a bell has the variance 2S², so C scatters by S √(2/N)."),
         "not squared": (26, "You forgot to square: from 1.3 √(2/N) = 0.1 follows N = 2 · 13²."),
@@ -79,7 +80,8 @@ from kflearn.exercises.engine import exercise, judged
             lambda: 2 * (1 + 0.3**2) / 0.01,
             "You squared 1 and 0.3 one by one. They are variances that add to S = 1.3; then S is squared.",
         ),
-    },
+    }
+    | SLIPS["window_needed"],
     unit="innovations",
     rtol=1e-3,
     also=[339],  # what `np.ceil` makes of 338.00000000000006
@@ -149,9 +151,12 @@ def weigh(log_weights, log_likelihoods):
     return s - np.log(np.sum(np.exp(s)))
 
 
+SIZES = cycle((2, 2, 2, 3))  # of the state, in the trials
+
+
 def bank(rng):
     """Weights (M,), means (M, n) and covariances (M, n, n) of a bank of four filters or more."""
-    M, n = int(rng.choice([6, 5, 4])), int(rng.choice([2, 3]))
+    M, n = int(rng.choice([6, 5, 4])), next(SIZES)
     p = rng.integers(1, 9, M).astype(float)
     factors = rng.integers(-2, 3, (M, n, n)) / 2 + 1.5 * np.eye(n)
     return p / p.sum(), rng.integers(-9, 10, (M, n)) / 2, factors @ factors.mT + np.eye(n) / 2
@@ -165,7 +170,7 @@ def bank(rng):
         "`return sum(w * (P + np.outer(m - p @ means, m - p @ means)) for w, m, P in zip(p, means, covs))`",
     ],
     inputs=bank,
-    wrong=WRONG["mixture_cov"],
+    wrong=WRONG["mixture_cov"] | SLIPS["mixture_cov"],
     then=(
         "Where all means are equal nothing is left but the mean of the covariances; where they differ the joint "
         "belief is wider."
@@ -212,6 +217,7 @@ def moved_or_noisy():
     then="A bank with the candidates 1, 4 and 16 m² that may change, as in lesson 18, is nearer to the truth in the 25 steps after a change: 1.03 m against 1.13 m with a window of 30, where the sensor becomes good again.",
     passing=_unknown_sensor.PASSING,
     failing=_unknown_sensor.FAILING,
+    signs=_unknown_sensor_signs.SIGNS,
 )
 def unknown_sensor(z, F, Q, mean, cov):
     """Write a filter that learns R: the mean (T, 2) and the covariance (T, 2, 2) after each of T steps.

@@ -5,8 +5,9 @@ from itertools import cycle
 import numpy as np
 from scipy import ndimage
 
-from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball
+from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_signs
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise, judged
 
 WRONG = _ball_in_a_video.WRONG | _ball_tracker.WRONG
@@ -66,7 +67,7 @@ def a_gap(rng):
         "`return F @ x + push, F @ P @ F.T + Q`",
     ],
     inputs=a_gap,
-    wrong=WRONG["coast"],
+    wrong=WRONG["coast"] | SLIPS["coast"],
     then="P grows in every frame without a ball, and S with it: so the gate is wide enough when the ball comes back.",
 )
 def coast(x, P, F, push, Q):
@@ -88,7 +89,7 @@ def a_start(rng):
         "`return s / (p + s + R) * y`",
     ],
     inputs=a_start,
-    wrong=WRONG["first_velocity"],
+    wrong=WRONG["first_velocity"] | SLIPS["first_velocity"],
     then=(
         "With p = s = 100² px² and a small R nearly half of 120 px is taken for velocity; with p = 100² and s = "
         "10² about a hundredth of it."
@@ -153,6 +154,7 @@ def gravity(rows):
     then="Where does it pay? Compare with the detections in the frames where the ball was seen: an R of several px² is what makes a filter worth its lines here.",
     passing=_thrown_ball.PASSING,
     failing=_thrown_ball.FAILING,
+    signs=_thrown_ball_signs.SIGNS,
 )
 def thrown_ball(z, g, q, R):
     """Write the whole tracker for a ball in the air: the mean (T, 4) and the covariance (T, 4, 4) in every frame.

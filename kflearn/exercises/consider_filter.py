@@ -1,12 +1,14 @@
 """Lesson 21: ignore, inflate, estimate or consider a bias."""
 
 import math
+from itertools import cycle
 
 import numpy as np
 
 from kflearn.exercises._consider_by_hand import FIRST_COVARIANCE
 from kflearn.exercises._consider_filter import WRONG
 from kflearn.exercises._hints import after
+from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise
 
 
@@ -58,7 +60,8 @@ from kflearn.exercises.engine import exercise
             1.25,
             "That is the lesson's R, with a noise of 0.5 m and a bias of 1 m. Here the numbers are others.",
         ),
-    },
+    }
+    | SLIPS["inflated"],
     unit="m²",
     then=(
         "For one reading R = 0.34 m² is right. For the mean of a hundred it is not: its variance is 0.09/100 + "
@@ -80,7 +83,7 @@ def inflated():
         "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
         "`gain = np.array([[4 / 5.25], [0]])`, `kept = np.eye(2) - gain @ [[1, 1]]`, then `kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T`.",
     ],
-    wrong=FIRST_COVARIANCE,
+    wrong=FIRST_COVARIANCE | SLIPS["first_covariance"],
     unit="m²",
     then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance with the bias is kept, and the bias is not learnt.",
 )
@@ -128,7 +131,7 @@ def beliefs(rng):
     ],
     inputs=beliefs,
     fixed=dict.fromkeys(("z", "R"), "one sensor, as in the lesson: its gain divides by the number S"),
-    wrong=WRONG["late_row"],
+    wrong=WRONG["late_row"] | SLIPS["late_row"],
     then=(
         "The variance of the considered state is what it was, to the last digit; what the reading changed is its "
         "covariance with the others."
@@ -142,9 +145,12 @@ def late_row(x, P, z, H, R, considered):
     return x + K @ (z - H @ x), keep @ P @ keep.T + K @ R @ K.T
 
 
+SIZES = cycle([(2, 2), (2, 2), (2, 2), (4, 1), (3, 2), (4, 2), (2, 1), (3, 1)])  # three alike: what fits at first only
+
+
 def blocks(rng):
     """P of two to four states, their covariance C with one or two biases of covariance B, and how all of them move."""
-    n, m = int(rng.choice([4, 3, 2])), int(rng.choice([1, 2]))
+    n, m = next(SIZES)
     root = rng.integers(-3, 4, (n + m, n + m)) / 2 + 2 * np.eye(n + m)
     whole, push = root @ root.T, rng.integers(1, 5, n) / 4
     F = np.eye(n) + np.triu(rng.integers(1, 9, (n, n)) / 8, 1)
@@ -159,7 +165,7 @@ def blocks(rng):
         "`return F @ P @ F.T + Q, fading * F @ C, fading**2 * B + q`",
     ],
     inputs=blocks,
-    wrong=WRONG["economical"],
+    wrong=WRONG["economical"] | SLIPS["economical"],
     then=(
         "C is what a consider filter remembers. With fading = 0 the bias is new at every step, C is zero, and the "
         "inflated filter would be right."

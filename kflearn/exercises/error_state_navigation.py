@@ -56,7 +56,8 @@ from kflearn.exercises.engine import exercise
             lambda: 0.06 * (0.5 + 0.1) * 30**2 / 2,
             "The 6 % are of the true acceleration, which is 0.5 m/s². The bias is not scaled.",
         ),
-    },
+    }
+    | MORE["all_bias"],
     unit="m",
     also=[-27],  # with its sign
     then=(
@@ -140,7 +141,8 @@ def tunnel_mouths(rng):
             lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + b * allowed)) / b,
             "Nearly: under the root stands 4 times b/2 times allowed, which is 2 b allowed.",
         ),
-    },
+    }
+    | MORE["dark_time"],
     then=(
         "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
         "afterwards the bias."
@@ -157,45 +159,7 @@ def dark_time(dv, b, allowed):
         "The slope of east with respect to ψ is −(1 + s)·d·sin ψ, with respect to s it is d·cos ψ. In ψ + w − b every slope is 1 or −1.",
         "The entries of F hold ψ and s, nothing else: `[0, 0, 1, 0, 1]`.",
     ],
-    wrong={
-        "everything": (
-            [1, 1, 1, 1, 1],
-            "That gives the closed loop's answer. But some of the five stand nowhere in F, so they need not go back.",
-        ),
-        "nothing": (
-            [0, 0, 0, 0, 0],
-            "That is the open loop: here a product and a sine and cosine bend the motion, so it gives another answer.",
-        ),
-        "the bias too": (
-            [0, 0, 1, 1, 1],
-            "Enough, but one too many: b enters only by ψ + w − b, a straight line whose slope is −1 wherever it is drawn.",
-        ),
-        "heading alone": (
-            [0, 0, 1, 0, 0],
-            "ψ bends, yes. But it is multiplied by 1 + s: the slope with respect to ψ is −(1 + s)·d·sin ψ, and needs the right s too.",
-        ),
-        "scale alone": (
-            [0, 0, 0, 0, 1],
-            "The scale stands in F, yes. But so does ψ, inside the sine and cosine.",
-        ),
-        "the sensors' faults": (
-            [0, 0, 0, 1, 1],
-            "Not enough: the heading itself stays wrong in the INS, and F is taken at the state of the INS.",
-        ),
-        "the position": (
-            [1, 1, 0, 0, 0],
-            "The other way round: F does not depend on east and north, so F moves a metre in the same way whether it is in the INS or in the error state.",
-        ),
-        "position and heading": (
-            [1, 1, 1, 0, 0],
-            "ψ must, east and north need not: they are only added to. And one more stands in F: look at what multiplies d.",
-        ),
-        "all but the bias": (
-            [1, 1, 1, 0, 1],
-            "Enough, but two too many: east and north are only added to, and stand nowhere in F.",
-        ),
-    }
-    | MORE["goes_back"],
+    wrong=MORE["goes_back"],
     then=(
         "Only ψ and s stand in F. A state on which F does not depend may be wrong in the INS: F moves its error in the "
         "same way, fed back or not."

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._history import WRONG, wrong_letters
+from kflearn.exercises._slips_data import SLIPS as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -124,7 +125,7 @@ def gains_and_lengths(rng, n):
         "`w = K * (1 - K) ** np.arange(n)`, then `w[-1] = (1 - K) ** (n - 1)`, then `return w`",
     ],
     inputs=in_turn(gains_and_lengths, 2, 4, 3, 7, 1),
-    wrong=WRONG["exponential_weights"] | SLIPS["exponential_weights"],
+    wrong=WRONG["exponential_weights"] | SLIPS["exponential_weights"] | MORE["exponential_weights"],
     then="They sum to 1 for every n; for n = 1 the single weight is 1, since the first reading is all there is.",
 )
 def exponential_weights(K, n):
@@ -191,7 +192,8 @@ def exponential_weights(K, n):
             lambda: 0.3 * (1 - CONSTANT_GAIN) + 0.3 * (1 - CONSTANT_GAIN) ** 2,
             "That is the distance after the second night. It goes on growing until each night takes away what it adds.",
         ),
-    },
+    }
+    | MORE["behind"],
     unit="s",
     then="With twice the gain it would trail by 0.38 s only, but it would follow the noise more. Lesson 6 weighs one against the other.",
 )
@@ -213,7 +215,7 @@ def readings_and_gain(rng, n):
         "`w = (1 - K) ** np.arange(len(z))[::-1]`, then `return np.sum(w * z) / np.sum(w)`",
     ],
     inputs=in_turn(readings_and_gain, 3, 5, 8, 1),
-    wrong=WRONG["mended"],
+    wrong=WRONG["mended"] | MORE["mended"],
     then="With K = 0.2207 the published weights lack 8 % after ten readings and less than 0.01 % after forty: in a long series nobody notices.",
 )
 def mended(z, K):

@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._hints import after
+from kflearn.exercises._slips_data import SLIPS
 from kflearn.exercises._smoothing import WRONG
 from kflearn.exercises.engine import exercise
 
@@ -115,7 +116,8 @@ from kflearn.exercises.engine import exercise
             (4 + 2 / 3 * 2, 3 - 4 / 9 * 2),
             "Your gain is 2/3. It is the filter's variance by the predicted one: 3/4.",
         ),
-    },
+    }
+    | SLIPS["one_step_back"],
     then="The filter said 3, the smoother says 1.875: what came later was worth a reading of step k with variance 5.",
 )
 def one_step_back():
@@ -145,7 +147,7 @@ def steps_back(rng):
         "`return x + G @ (x_next - F @ x), P + G @ (P_next - P_pred) @ G.T`",
     ],
     inputs=steps_back,
-    wrong=WRONG["step_back"],
+    wrong=WRONG["step_back"] | SLIPS["step_back"],
     then=(
         "No reading stands in these lines: the smoother uses only what the filter has stored, so the readings may "
         "be thrown away after the filter has run."
@@ -171,7 +173,7 @@ def two_filters(rng):
         "`return np.linalg.inv(np.linalg.inv(P) + np.linalg.inv(P_back))`",
     ],
     inputs=two_filters,
-    wrong=WRONG["smoothed_cov"],
+    wrong=WRONG["smoothed_cov"] | SLIPS["smoothed_cov"],
     then=(
         "With P_back = P it is half of P: “half of the data” is right in the one place where both filters know "
         "equally much."
@@ -198,7 +200,7 @@ def corrected_beliefs(rng):
         "`information = 1/P + 1/P_back - 1/R`, then `return (x/P + x_back/P_back - z/R) / information, 1 / information`",
     ],
     inputs=corrected_beliefs,
-    wrong=WRONG["count_once"],
+    wrong=WRONG["count_once"] | SLIPS["count_once"],
     then=(
         "Where the backward filter knows nothing but z, so that P_back = R and x_back = z, the result is the "
         "forward filter's N(x, P): z has already been used."

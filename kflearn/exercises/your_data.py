@@ -4,9 +4,10 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _a_ride
+from kflearn.exercises import _a_ride, _a_ride_signs
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_data import SLIPS
 from kflearn.exercises._your_data import WRONG
 from kflearn.exercises.engine import exercise, judged
 from kflearn.results.consistency import chi_square_interval
@@ -98,7 +99,8 @@ LOW, HIGH = chi_square_interval(1, 40)
             0.09,
             "That is the sample variance. Hand in two limits, `(low, high)`.",
         ),
-    },
+    }
+    | SLIPS["interval_of_R"],
     unit="m²",
     rtol=3e-3,
     then=(
@@ -172,7 +174,8 @@ def interval_of_R():
             -0.1,
             "A variance cannot be negative. Divide by 1000 for each of the three times in m²/s³.",
         ),
-    },
+    }
+    | SLIPS["milliseconds_for_seconds"],
     unit="m²/s³",
     then=(
         "The card cannot tell, because Q is the same; but q says what can happen within one of its “seconds”, and "
@@ -240,7 +243,7 @@ def a_departure(rng):
         "`return np.nanvar(z[time < until], ddof=1)`",
     ],
     inputs=a_departure,
-    wrong=WRONG["variance_at_rest"],
+    wrong=WRONG["variance_at_rest"] | SLIPS["variance_at_rest"],
     then="How well is it known? With n readings its relative error is about √(2/(n − 1)): for 20 readings a third.",
 )
 def variance_at_rest(time, z, until):
@@ -260,6 +263,7 @@ def variance_at_rest(time, z, until):
     then="Here the truth was known. For a file of your own the report card takes its place: hand it this filter, and read each line.",
     passing=_a_ride.PASSING,
     failing=_a_ride.FAILING,
+    signs=_a_ride_signs.SIGNS,
 )
 def ride(time, z, q):
     """From the arrays of a file to a filter that can be defended: mean (T, 4) and covariance (T, 4, 4) at each time stamp.

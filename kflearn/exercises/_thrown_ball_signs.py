@@ -1,0 +1,231 @@
+"""What is said of trackers that do not pass the open exercise of lesson 19, where the mistake can be recognised."""
+
+import numpy as np
+
+from kflearn.exercises._inside import added, another_order, predictions, recognised, share, used_R
+from kflearn.exercises._judge import pair
+from kflearn.exercises._thrown_ball import KICK, MARKS, H, motion
+
+F = motion(0.0)[0]
+BY_AXIS = np.kron(np.eye(2), [[1, 1], [0, 1]])  # as for a state of column, its velocity, row, its velocity
+
+
+def dark(recording):
+    """The frames but the first in which nothing is seen."""
+    return np.isnan(recording[0][0][1:, 0])
+
+
+def in_the_dark(answers, recordings, moves=F):
+    """What is added to x and P in the frames in which nothing is seen, the median of each recording."""
+    both = [added(*pair(a), moves) for a in answers]
+    rows = [(push[dark(r)], Q[dark(r)]) for (push, Q), r in zip(both, recordings, strict=True)]
+    return [np.median(push, axis=0) for push, _ in rows], [np.median(Q, axis=0) for _, Q in rows]
+
+
+def stands_still(answer, answers, recordings):
+    """Nothing at all is done in a frame without a detection."""
+    means = [pair(a)[0] for a in answers]
+    if all(np.array_equal(m[1:][dark(r)], m[:-1][dark(r)]) for m, r in zip(means, recordings, strict=True)):
+        return (
+            "In a frame without a detection your state stays as it was. The ball flies on: predict in every frame, and "
+            "correct only where there is a detection."
+        )
+    held = [pair(a)[1] for a in answers]
+    if all(np.array_equal(P[1:][dark(r)], P[:-1][dark(r)]) for P, r in zip(held, recordings, strict=True)):
+        return "In a frame without a detection your P stays as it was. Predict P in every frame: it grows there."
+    return None
+
+
+def gravity(answer, answers, recordings):
+    """What pushes the state where nothing is seen."""
+    g = np.array([inputs[1] for inputs, _ in recordings])[:, None]
+    found = in_the_dark(answers, recordings)[0]
+    table = [(g * np.array(push), words) for push, words in PUSHES]
+    table.append(([np.array([0, 3.0, 0, 6.0])] * len(g), "Your gravity is the lesson's, 6 px/frame². Here g is given."))
+    if words := recognised(found, table, 100 * g[:, 0] ** 0):
+        return words
+    if all(
+        np.allclose(push, up, rtol=1e-6, atol=1e-6) for push, up in zip(found, g * np.array(PUSHES[0][0]), strict=True)
+    ):
+        return None
+    if steady(answers, recordings, BY_AXIS):
+        return (
+            "Your F moves the first state by the second. Here they are column and row; the velocities come after them."
+        )
+    if steady(answers, recordings, F):
+        return (
+            f"In a frame without a detection your state is pushed by {np.round(found[0], 2).tolist()}, where g is "
+            f"{g[0, 0]:.2f} px/frame². Gravity moves the row by g/2 in a frame, and its velocity by g."
+        )
+    return None
+
+
+def steady(answers, recordings, moves):
+    """Whether the same is added to the state in all frames without a detection of a recording."""
+    pushes = [added(*pair(a), moves)[0][dark(r)] for a, r in zip(answers, recordings, strict=True)]
+    return all(np.ptp(push, axis=0).max() < 1e-6 for push in pushes)
+
+
+PUSHES = [
+    ([0, 0.5, 0, 1], None),
+    ([0, 0, 0, 0], "Gravity is missing: in frames without a detection your state moves on without any push."),
+    ([0, 0, 0, 1], "Your gravity changes the velocity only. Within the frame it moves the row as well, by g/2."),
+    (
+        [0, 0.5, 0, 0],
+        "Your gravity moves the row and leaves its velocity as it was. The velocity grows by g in a frame.",
+    ),
+    (
+        [0, 1, 0, 1],
+        "Your gravity moves the row by g in a frame. The velocity grows during the frame: the row moves by g/2.",
+    ),
+    ([0, -0.5, 0, -1], "Your gravity points upwards. Rows grow downwards, and so does the push: its sign is plus."),
+    ([0.5, 0, 1, 0], "Your gravity pushes the column. The row is the second state, its velocity the fourth."),
+    ([0.5, 0.5, 1, 1], "Your gravity pushes column and row. Only the row falls."),
+    ([0, 0.5, 1, 0], "Your gravity pushes the wrong velocity: that of the row is the fourth state."),
+    ([0, 0, 0.5, 1], "Your push is laid out for another order: column, row, and then their velocities."),
+    ([0, 1, 0, 2], "Your gravity is twice the g that is given."),
+]
+
+
+def kicks(answer, answers, recordings):
+    """What is added to P where nothing is seen."""
+    q = np.array([inputs[2] for inputs, _ in recordings])[:, None, None]
+    table = [(q * kick, words) for kick, words in KICKS]
+    for other, words in (
+        (q**2, "q squared"),
+        (q**0.5, "the root of q"),
+        (q**0, "1 for q"),
+        (0.01 + 0 * q, "the lesson's 0.01 for q"),
+    ):
+        table.append((other * KICK, f"Your Q is the right matrix, but with {words}. q is the variance that is given."))
+    found = in_the_dark(answers, recordings)[1]
+    words = recognised(found, table, q[:, 0, 0])
+    if words or not is_filter(answers, recordings) or np.allclose(found, q * KICK, rtol=1e-3, atol=1e-6):
+        return words
+    return (
+        f"In a frame without a detection your P grows by {np.round(found[0], 2).tolist()} beyond F P Fᵀ, where q is {q[0, 0, 0]:g}. "
+        "It should grow by q times the lesson's matrix."
+    )
+
+
+EACH = np.eye(2)
+FLAT = np.kron([[0.25, 0.5], [0.5, 1]], EACH)
+KICKS = [
+    (KICK, None),
+    (0 * KICK, "Q is missing: your P becomes F P Fᵀ in each frame, as if the air never gave a kick."),
+    (np.eye(4), "Your Q is q on its diagonal. A kick to the velocity moves the place by less, and the two are correlated: Q is q times the lesson's matrix."),
+    (np.diag(np.diag(KICK)), "Your Q lacks its corners. A kick moves place and velocity together, which is q/2 between the two."),
+    (np.diag([0, 0, 1, 1]), "Your Q holds the velocities only. A kick moves the place within the frame as well: Q is q times the lesson's matrix."),
+    (FLAT, "Your Q is that of one push a frame. Here the kicks come all the time: q/3 for the place, as in the lesson's matrix."),
+    (np.kron(EACH, [[1 / 3, 1 / 2], [1 / 2, 1]]), "Your Q is laid out for another order of the states: column, row, and then their velocities."),
+]  # fmt: skip
+
+
+def is_filter(answers, recordings):
+    """Whether the same is added to P in all frames without a detection of a recording; not so in a smoother."""
+    both = [added(*pair(a), F)[1][dark(r)] for a, r in zip(answers, recordings, strict=True)]
+    return all(np.ptp(Q, axis=0).max() < 1e-6 * (1 + abs(Q).max()) for Q in both)
+
+
+def facts(answers, recordings):
+    """For each recording: the R used in each frame, which detections are of the ball, and which of something else."""
+    if not is_filter(answers, recordings):
+        raise ValueError("no filter, so its corrections cannot be read")
+    Q = in_the_dark(answers, recordings)[1]
+    used = [used_R(pair(a)[1], F, each, H) for a, each in zip(answers, Q, strict=True)]
+    off = [np.abs(z - truth[:, :2]).max(axis=1)[1:] / R**0.5 for (z, _, _, R), truth in recordings]
+    return used, [each < 4 for each in off], [each > 15 for each in off]
+
+
+def trusts(answer, answers, recordings):
+    """The R of the corrections."""
+    R = np.array([inputs[3] for inputs, _ in recordings])
+    found = [np.median(u[good & np.isfinite(u)]) for u, good in zip(*facts(answers, recordings)[:2], strict=True)]
+    table = [
+        (R, None),
+        (R**2, "Your corrections use R². R is a variance already, in px²: do not square it."),
+        (R**0.5, "Your corrections use √R. R is the variance itself, in px²: take no root."),
+        (0 * R + 0.05**2, "Your corrections use the lesson's R, 0.05² px². This detector is coarser: R is given."),
+        (0 * R + 1, "Your corrections use R = 1. R is given, in px²."),
+        (2 * R, "Your corrections use 2 R. R is the variance of each axis by itself."),
+        (R / 2, "Your corrections use R/2. R is the variance of each axis by itself."),
+    ]
+    words, ratio = recognised(found, table, R), np.median(found / R)
+    if words or 0.99 < ratio < 1.01 or not np.isfinite(ratio):
+        return words
+    return f"Your corrections use {ratio:.3g} times the R that is given (median of the recordings)."
+
+
+def begins(answer, answers, recordings):
+    """The start, which shows in what is refused of the first ten detections."""
+    used, good, _ = facts(answers, recordings)
+    refused = [np.isinf(u) for u in used]
+    first = [(np.arange(len(u)) < 9) & g for u, g in zip(used, good, strict=True)]
+    away = [abs(pair(a)[0][0, :2] - r[0][0][0]).max() for a, r in zip(answers, recordings, strict=True)]
+    if share(refused, good) > 0.1 and np.median(away) > 30:
+        return (
+            f"Your state begins {np.median(away):.0f} px from the first detection (median), and then good detections are refused. "
+            "No start is given, but the first ten detections are of the ball."
+        )
+    if share(refused, first) > 0.9:
+        return (
+            "Your filter refuses nearly all detections from the first frames on, and the first ten are all of the ball. No "
+            "start is given: does x begin at the first detection, and is P wide enough for a velocity that nobody knows?"
+        )
+    if share(refused, first) > 0.15 and pair(answers[0])[1][0, 3, 3] < 300:
+        return (
+            f"Your filter refuses {100 * share(refused, first):.0f} % of the detections in the first ten frames, and these "
+            "are all of the ball. No start is given. Is P wide enough at first for a velocity that nobody knows?"
+        )
+    return None
+
+
+def gates(answer, answers, recordings):
+    """Which detections are left unused."""
+    used, good, bad = facts(answers, recordings)
+    refused = [np.isinf(u) for u in used]
+    if share(refused, good) > 0.99:
+        return "Your filter uses none of the detections: P never becomes smaller where the ball is seen."
+    if share(refused, bad) < 0.5:
+        return (
+            "Your filter uses detections of something else, far from where the ball must be. Is there a gate, by the NIS, "
+            "and before the correction? And is it not so wide that all pass?"
+        )
+    if share(refused, good) > 0.1:
+        return (
+            f"Your gate refuses {100 * share(refused, good):.0f} % of the detections that are of the ball. NIS is the square "
+            "of a distance in σ, and of two numbers: how large may it be?"
+        )
+    return None
+
+
+def moves(answer, answers, recordings):
+    """How far a detection moves the state, beside what the covariance says of the gain."""
+    if not all(
+        np.allclose(push, [0, r[0][1] / 2, 0, r[0][1]], atol=1e-6)
+        for push, r in zip(in_the_dark(answers, recordings)[0], recordings, strict=True)
+    ):
+        return None
+    turned, moved, used = [], [], facts(answers, recordings)[0]
+    for a, (inputs, _), R_used in zip(answers, recordings, used, strict=True):
+        (mean, cov), (z, g, _, R) = pair(a), inputs
+        ahead = mean[:-1] @ F.T + motion(g)[1]
+        gained = (cov[1:] @ H.T @ (z[1:] - ahead[:, :2])[..., None])[..., 0] / R
+        turned.append(((mean[1:] - ahead) / gained)[np.isfinite(R_used), 1])
+        moved.append((abs(mean[1:] - ahead).max(axis=1) > 1e-6)[np.isinf(R_used)])
+    parts = np.concatenate(turned)
+    if np.concatenate(moved).mean() > 0.5:
+        return (
+            "Your detections move the state, and P stays as it was predicted. A detection makes P smaller, by K S Kᵀ."
+        )
+    if len(parts) == 0:
+        return None
+    if np.mean(abs(parts + 1) < 1e-6) > 0.5:
+        return "Your P is right. Your state moves away from the detection: the innovation is z − H x."
+    if np.mean(abs(parts - 1) < 1e-6) < 0.5:
+        return "Your P is right. Your state does not move by K (z − H x), with the K that made P smaller."
+    return None
+
+
+ORDER = "In another order of your states all of this passes. The order is: column, row, velocity of the column, velocity of the row."
+SIGNS = [predictions(), another_order(MARKS, ORDER), stands_still, gravity, kicks, trusts, moves, begins, gates]

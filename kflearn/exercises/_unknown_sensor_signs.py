@@ -1,0 +1,163 @@
+"""What is said of filters that do not pass the open exercise of lesson 22, where the mistake can be recognised."""
+
+import numpy as np
+
+from kflearn.exercises._inside import added, another_order, predictions, recognised, share, used_R
+from kflearn.exercises._judge import pair
+from kflearn.exercises._unknown_sensor import BAD, GOOD, MARKS, settled
+
+H = np.array([[1.0, 0.0]])
+
+
+def empty(recording):
+    """The steps but the first without a reading."""
+    return np.isnan(recording[0][0][1:])
+
+
+def widened(answer, answers, recordings):
+    """What is added to P in the steps without a reading."""
+    found, right = [], []
+    for a, r in zip(answers, recordings, strict=True):
+        mean, cov = pair(a)
+        found.append(np.median(added(mean, cov, r[0][1])[1][empty(r)], axis=0))
+        right.append(r[0][2])
+    stay = all(
+        np.array_equal(pair(a)[1][1:][empty(r)], pair(a)[1][:-1][empty(r)])
+        for a, r in zip(answers, recordings, strict=True)
+    )
+    if stay:
+        return "In the steps without a reading your P stays as it was. Predict in every step, also where z is NaN."
+    table = [
+        (right, None),
+        ([0 * Q for Q in right], "Q is missing: P becomes F P Fᵀ in the steps without a reading."),
+        ([2 * Q for Q in right], "In the steps without a reading you add Q twice."),
+    ]
+    return recognised(found, table, [Q.max() for Q in right])
+
+
+def moved(answer, answers, recordings):
+    """How the state moves in the steps without a reading."""
+    for F, words in MOVES:
+        pairs = zip(answers, recordings, strict=True)
+        if all(np.abs(added(*pair(a), F)[0][empty(r)]).max() < 1e-6 for a, r in pairs):
+            return words
+    return None
+
+
+MOVES = [
+    (
+        np.eye(2),
+        "In the steps without a reading your state stays as it was. Predict in every step, also where z is NaN.",
+    ),
+    (
+        np.array([[1, 0.1], [0, 1]]),
+        "Your state moves as the lesson's cart does. Here F and Q are given, of another cart.",
+    ),
+]
+
+
+def used(answers, recordings):
+    """For each recording: the R used in each step but the first, and where there is a reading."""
+    pairs = list(zip(answers, recordings, strict=True))
+    extra = [abs(added(*pair(a), r[0][1])[1][empty(r)] - r[0][2]).max(axis=(1, 2)) / r[0][2].max() for a, r in pairs]
+    if np.median(np.concatenate(extra)) > 0.5:
+        raise ValueError("no filter, so its corrections cannot be read")
+    return [used_R(pair(a)[1], r[0][1], r[0][2], H) for a, r in pairs], [~empty(r) for _, r in pairs]
+
+
+def gates(answer, answers, recordings):
+    """Readings that are left unused."""
+    R, seen = used(answers, recordings)
+    refused = [np.isinf(each) for each in R]
+    if share(refused, seen) > 0.99:
+        return "Your filter uses none of the readings: P never becomes smaller where there is one."
+    bad = [s & settled(truth[:, 2], BAD)[1:] for s, (_, truth) in zip(seen, recordings, strict=True)]
+    part = 100 * share(refused, bad)
+    if part > 15:
+        return (
+            f"Your filter refuses {part:.0f} % of the readings where the sensor is bad. They are worse than the data sheet "
+            "says, but not useless: let R follow the sensor, so that they get a smaller weight."
+        )
+    return None
+
+
+def constant(answer, answers, recordings):
+    """One R for all."""
+    R, seen = used(answers, recordings)
+    all_of_them = np.concatenate([each[s] for each, s in zip(R, seen, strict=True)])
+    if np.ptp(all_of_them) < 1e-3 * all_of_them.min():
+        return f"Your filter uses R = {all_of_them[0]:.3g} m² in every step. No constant R passes: it must be learnt."
+    late = np.concatenate([each[s][100:] for each, s in zip(R, seen, strict=True)]).reshape(-1)
+    if np.ptp(late) < 1e-3 * late.min() or all(
+        np.ptp(each[s][60:]) < 1e-3 * each[s][60:].min() for each, s in zip(R, seen, strict=True)
+    ):
+        return "Your R̂ does not change any more after a while. The sensor may change at any moment: go on learning, and let a bank change."
+    return None
+
+
+def learnt(R, recordings):
+    """Where R̂ ends after the change, and how many readings that takes: for each new level of R, the median."""
+    level, needed = {GOOD: [], BAD: []}, {GOOD: [], BAD: []}
+    for each, (_, truth) in zip(R, recordings, strict=True):
+        after, new = each[np.flatnonzero(np.diff(truth[:, 2]))[0] :], truth[-1, 2]
+        after = after[np.isfinite(after)]
+        there = after < 3 if new == GOOD else after > 8
+        wrong = [n for n in range(len(there) - 15) if there[n : n + 15].mean() < 0.5]
+        level[new].append(np.median(after[45:]))
+        needed[new].append(wrong[-1] + 8 if wrong else 0)
+    return [np.median(each[new]) for each in (level, needed) for new in (GOOD, BAD)]
+
+
+def follows(answer, answers, recordings):
+    """R̂ after a change."""
+    R, _ = used(answers, recordings)
+    good, bad, until_good, until_bad = learnt(R, recordings)
+    if words := restless(R, recordings) or ends(good, bad):
+        return words
+    granted = "and 45 steps are granted"
+    if until_good > 40 or good > 5:
+        return (
+            f"After the sensor has become good it takes {until_good:.0f} readings (median) until your R̂ is mostly below 3 m², {granted}. "
+            "The bad readings count for too long: a window must be shorter, a mean must forget, and a bank must be allowed to change."
+        )
+    if until_bad > 40:
+        return (
+            f"After the sensor has become bad it takes {until_bad:.0f} readings (median) until your R̂ is mostly above 8 m², {granted}. "
+            "Let newer innovations count for more."
+        )
+    return None
+
+
+def ends(good, bad):
+    """Where R̂ ends."""
+    if 2.5 < bad < 5.5 and good < 2:
+        return (
+            f"Your R̂ is about {bad:.2g} m² where the sensor's R is 16 m². Is a standard deviation, or a root, in place of a "
+            "variance? C is the mean of the squared innovations."
+        )
+    if bad < 2.5:
+        return f"Your R̂ is about {bad:.2g} m² where the sensor's R is 16 m²: it does not follow a sensor that becomes worse."
+    if good > 2 and bad > 21:
+        return (
+            f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m²: too large both "
+            "times. Is HP⁻Hᵀ taken off C?"
+        )
+    return None
+
+
+def restless(R, recordings):
+    """R̂ jumps."""
+    jumps = []
+    for each, (_, truth) in zip(R, recordings, strict=True):
+        late = each[settled(truth[:, 2], truth[-1, 2])[1:] & np.isfinite(each)]
+        jumps.append(np.std(np.log(late)))
+    if np.median(jumps) > 0.8:
+        return (
+            "Your R̂ jumps up and down where the sensor does not change: it is the mean of too few squared innovations. A longer "
+            "window is steadier."
+        )
+    return None
+
+
+ORDER = "In another order of your states all of this passes. The order is: position, velocity."
+SIGNS = [predictions(), another_order(MARKS, ORDER), moved, widened, gates, constant, follows]
