@@ -1,5 +1,6 @@
 """Open exercises: the learner writes a whole filter, and a judge runs it on recordings that nobody has seen."""
 
+import contextlib
 import copy
 import inspect
 from collections.abc import Callable
@@ -55,13 +56,15 @@ class OpenExercise(Exercise):
     ----------
     passing, failing : dict
         {label: function}: designs that pass and that do not, for the tests.
+    signs : list of function(answer, answers, recordings)
+        What names a mistake where a filter does not pass; the first that speaks takes the place of the marks' advice.
     """
 
     subject = "the result"
 
-    def __init__(self, solution, hints, recording, marks, form, then, passing, failing):
+    def __init__(self, solution, hints, recording, marks, form, then, passing, failing, signs=()):
         super().__init__(solution, hints, {}, "", 0, 0, then)
-        self.marks, self.form, self.passing, self.failing = marks, form, passing, failing
+        self.marks, self.form, self.passing, self.failing, self.signs = marks, form, passing, failing, signs
         self.parameters, self.cases = list(inspect.signature(solution).parameters), []
         rng = np.random.default_rng(2026)
         self.recordings = [recording(rng) for _ in range(RECORDINGS)]  # (inputs, truth) each
@@ -85,27 +88,37 @@ class OpenExercise(Exercise):
                 return Outcome("wrong", f"For recording {number + 1} the result {complaint}.")
             if number == 0:
                 printed.close_after_first(len(self.recordings))
-        return self._report(answers)
+        return self._report(answer, answers)
 
     def _called(self, inputs):
         return ", ".join(f"{name} = {show(value)}" for name, value in zip(self.parameters, inputs, strict=True))
 
-    def _report(self, answers):
+    def _report(self, answer, answers):
         """Each mark with its number, what is wanted, and what to look at where it does not pass."""
-        truths, lines, faults = [truth for _, truth in self.recordings], [], 0
+        truths, lines = [truth for _, truth in self.recordings], []
         numbers = [float(mark.value(answers, truths)) for mark in self.marks]
         for mark, number in zip(self.marks, numbers, strict=True):
             if not np.isfinite(number):
                 return Outcome("wrong", self._endless(mark, answers))
-        for mark, number in zip(self.marks, numbers, strict=True):
-            look = mark.verdict(number, answers, self.recordings)
-            faults += look is not None
-            value = f"{number:.3g} {mark.unit}".rstrip()
+        pairs = zip(self.marks, numbers, strict=True)
+        looks = [mark.verdict(number, answers, self.recordings) for mark, number in pairs]
+        failed = [look is not None for look in looks]
+        named = self._sign(answer, answers) if any(failed) else None
+        for mark, number, look in zip(self.marks, numbers, looks, strict=True):
+            value = f"{_told_apart(number, (mark.low, mark.high))} {mark.unit}".rstrip()
             line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
-            lines.append(line + (f". {look}" if look else ""))
+            lines.append(line + (f". {look}" if look and not named else ""))
         first = f"On {RECORDINGS} recordings that you have not seen:"
         report = "\n".join([first, *(f"- {line}" for line in lines)])
-        return self._right(f"{report}\n\n") if not faults else Outcome("wrong", report)
+        return Outcome("wrong", f"{report}\n\n{named or ''}".rstrip()) if any(failed) else self._right(f"{report}\n\n")
+
+    def _sign(self, answer, answers):
+        """What the first sign says that recognises a mistake; None where none does."""
+        for sign in self.signs:
+            with contextlib.suppress(Exception):  # a result of which no sign can make anything
+                if words := sign(answer, answers, self.recordings):
+                    return words
+        return None
 
     def _endless(self, mark, answers):
         """What is said of results that hold NaN: nothing else is judged then."""
@@ -121,6 +134,11 @@ class OpenExercise(Exercise):
     def _answer(self):
         """The course's own design, for tests."""
         return self._solve
+
+
+def _told_apart(number, bounds):
+    """A number with three digits, or with as many as tell it from the bounds."""
+    return next((text for d in (3, 4, 5) if float(text := f"{number:.{d}g}") not in bounds), f"{number:.3g}")
 
 
 def track(states, names="mean and covariance"):

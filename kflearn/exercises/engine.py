@@ -97,7 +97,7 @@ def exercise(
     return make
 
 
-def judged(*, hints, recording, marks, form, then, passing=None, failing=None) -> Callable:
+def judged(*, hints, recording, marks, form, then, passing=None, failing=None, signs=()) -> Callable:
     """Make an open exercise from a solution: any function passes whose results on hidden recordings pass all marks.
 
     Parameters
@@ -114,6 +114,8 @@ def judged(*, hints, recording, marks, form, then, passing=None, failing=None) -
         What is said after "right".
     passing, failing : dict, optional
         {label: function}: designs for the tests.
+    signs : list of function(answer, answers, recordings), optional
+        Where a filter does not pass: each may name the mistake in a sentence, or return None.
 
     Returns
     -------
@@ -122,7 +124,7 @@ def judged(*, hints, recording, marks, form, then, passing=None, failing=None) -
     """
 
     def make(solution):
-        return OpenExercise(solution, hints, recording, marks, form, then, passing or {}, failing or {})
+        return OpenExercise(solution, hints, recording, marks, form, then, passing or {}, failing or {}, signs)
 
     return make
 
