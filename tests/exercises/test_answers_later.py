@@ -10,7 +10,7 @@ from kflearn import Gaussian, LinearModel, kalman_filter, mmae_filter
 from kflearn.exercises import _a_ride, _thrown_ball, _unknown_sensor
 from kflearn.exercises._a_ride import moving
 from kflearn.exercises._answers import fault
-from kflearn.exercises._judge import _told_apart
+from kflearn.exercises._judge import Mark
 from kflearn.exercises.adaptive import unknown_sensor
 from kflearn.exercises.ball_in_a_video import thrown_ball
 from kflearn.exercises.your_data import ride
@@ -209,8 +209,9 @@ def test_a_design_is_read_from_its_results(exercise, design, words):
 
 
 def test_a_number_is_told_apart_from_its_bounds():
-    assert _told_apart(1.403, (0.75, 1.4)) == "1.403" and _told_apart(1.5, (None, 1.4)) == "1.5"
-    assert _told_apart(1.4, (0.75, 1.4)) == "1.4"
+    mark = Mark("NEES / 4", len, low=0.75, high=1.4)
+    assert mark.shown(1.403, False) == "1.403" and mark.shown(1.5, False) == "1.5"
+    assert mark.shown(1.4, True) == "1.4"
 
 
 def test_two_digits_and_booleans_in_arrays():
