@@ -13,6 +13,7 @@ import traceback
 import numpy as np
 
 from kflearn.exercises._watch import SECONDS, TooLong
+from kflearn.exercises._words import plain
 
 ENTRIES_SHOWN = 12  # a larger array is named by its shape
 
@@ -49,7 +50,7 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
         return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand)
     right = np.asarray(right)
     try:
-        given = _numbers(answer, right)
+        given = _numbers(_in_a_row(answer, right) if by_hand else answer, right)
     except Misfit as instead:
         return f"{subject} should be {_form(right.shape)}, but it is {instead}."
 
@@ -103,6 +104,12 @@ def _beside(given, right, at, verdict):
     digits = next((d for d in (4, 6, 9, 12) if show(pair[0], d) != show(pair[1], d)), 17)
     remark = f" (it {verdict})" if verdict else ""
     return f"{where}{show(pair[0], digits)}, but {show(pair[1], digits)} was expected{remark}"
+
+
+def _in_a_row(answer, right):
+    """A typed column, or a row in double brackets, as the row that is wanted."""
+    shape = (getattr(answer, "shape", None) or np.shape(answer)) if isinstance(answer, (list, np.ndarray)) else ()
+    return np.ravel(answer) if right.ndim == 1 and shape in ((len(right), 1), (1, len(right))) else answer
 
 
 def _numbers(answer, right):
@@ -196,7 +203,7 @@ def chosen(answer, choices=frozenset()) -> frozenset:
     if isinstance(answer, (np.ndarray, np.generic)) and answer.size <= 100:
         answer = answer.tolist()
     if isinstance(answer, str):
-        whole = answer.strip(" .()").casefold()
+        whole = plain(answer, choices)
         if whole in choices:
             return frozenset({whole})
         found = frozenset(part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b|\bor\b", answer)) - {""}

@@ -84,11 +84,11 @@ WRONG = {
         ),
         "modulo half a turn": (
             lambda east, north: math.atan2(north, east) % math.pi,
-            "The remainder must be taken by a full circle, 2π. With half of it, opposite directions become equal.",
+            "Your bearing is off by half a turn for targets in the south, so opposite directions become equal. What is added to a negative angle, or the circle of the remainder, is a full turn, 2π.",
         ),
         "half a turn added": (
             lambda east, north: math.atan2(north, east) + math.pi,
-            "You added 180° to every bearing, so each points the opposite way. Only negative angles need something added, and it is a full circle, 2π.",
+            "Every bearing points the opposite way: you added 180° to all, or turned both signs. Only negative angles need something added, and it is a full circle, 2π.",
         ),
         "% 360": (
             lambda east, north: math.atan2(north, east) % 360,
@@ -113,6 +113,26 @@ WRONG = {
         "no brackets": (
             lambda east, north: math.atan2(north, east) % 2 * math.pi,
             "`%` and `*` are worked out from left to right, so you took the remainder by 2. Put brackets round `(2 * np.pi)`.",
+        ),
+        "from north, anticlockwise": (
+            lambda east, north: math.atan2(-east, north) % TURN,
+            "Every bearing is a quarter of a turn too small: you measured from north. The bearing counts from east: 0 is east, π/2 is north.",
+        ),
+        "a quarter turn too much": (
+            lambda east, north: (math.atan2(north, east) + math.pi / 2) % TURN,
+            "Every bearing is a quarter of a turn too large. A target in the east has the bearing 0.",
+        ),
+        "signs of a half turn": (
+            lambda east, north: math.pi - math.atan2(north, east),
+            "East and west have changed places: a target in the east must get a bearing near 0 or 2π.",
+        ),
+        "quadrants by the sign of north alone": (
+            lambda east, north: math.atan(north / east) + (math.pi if north < 0 else 0),
+            "In the west the arctangent points to the east, whatever north is: half a turn is to be added where *east* is negative.",
+        ),
+        "quadrants, no turn in 4 and none in 2": (
+            lambda east, north: math.atan(abs(north / east)) + (0 if east > 0 else math.pi),
+            "The angle to the east–west axis is added in quadrants 1 and 3 only. In 2 and 4 it is subtracted: 180° minus it, 360° minus it.",
         ),
         "arctangent of east over north": (
             lambda east, north: math.atan(east / north) % TURN,
@@ -149,6 +169,22 @@ WRONG = {
             lambda sd: sd * math.radians(1) ** 2,
             "The factor (π/180)² is right. `sd` is squared as well: (sd · π/180)².",
         ),
+        "180 squared, π not": (
+            lambda sd: sd**2 * math.pi / 180**2,
+            "`**` is worked out before `*` and `/`, so you squared 180 and not π. Square the whole of sd·π/180.",
+        ),
+        "half": (
+            lambda sd: math.radians(sd) ** 2 / 2,
+            "You halved it. R is the square of the standard deviation, in rad².",
+        ),
+        "of one turn": (
+            lambda sd: (sd * 2 * math.pi) ** 2,
+            "You multiplied by 2π. A whole turn, 2π, is 360°: one degree is 2π/360.",
+        ),
+        "even spread": (
+            lambda sd: math.radians(sd) ** 2 / 12,
+            "The 12 belongs to errors that are spread evenly over a known width. Here `sd` is the standard deviation itself: square it.",
+        ),
         "a whole turn": (
             lambda sd: (sd * math.pi / 360) ** 2,
             "π radians are 180°, not 360°.",
@@ -164,7 +200,7 @@ WRONG = {
         ),
         "2σ": (
             lambda sd: (2 * math.radians(sd)) ** 2,
-            "You doubled σ before squaring. `sd` is one standard deviation, and R is its square.",
+            "You doubled σ before squaring. `sd` is one standard deviation, and 180° are π radians, not 2π.",
         ),
     },
 }

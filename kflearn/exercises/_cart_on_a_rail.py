@@ -3,9 +3,9 @@
 import numpy as np
 
 
-def corrected(x, P, innovation, H):
-    """A scalar correction with R = 4."""
-    K = P * H / (H * P * H + 4)
+def corrected(x, P, innovation, H, R=4.0):
+    """A scalar correction."""
+    K = P * H / (H * P * H + R)
     return x + K * innovation, (1 - K * H) * P
 
 
@@ -14,8 +14,58 @@ def off(x):
     return np.hypot(x, 20)
 
 
+def line(x, P, reading, nominal, R=4.0, H=None):
+    """The right correction, with another R or another slope."""
+    H = nominal / off(nominal) if H is None else H
+    return corrected(x, P, reading - off(nominal) - H * (x - nominal), H, R)
+
+
 WRONG = {
     "linearised_correction": {
+        **{
+            f"R = {R}": (
+                lambda x, P, reading, nominal, R=R: line(x, P, reading, nominal, R),
+                f"The tangent is right. But your R is {R}{why}. R = 4 m² is a variance already.",
+            )
+            for R, why in ((2, ", the standard deviation of a reading"), (16, ", the square of the variance"), (0, ""))
+        },
+        "sine and cosine": (
+            lambda x, P, reading, nominal: line(x, P, reading, nominal, H=20 / off(nominal)),
+            "Your slope is 20/height. The slope of √(s² + 20²) along the rail is s/height: it is 0 abreast of the station.",
+        ),
+        "slope upside down": (
+            lambda x, P, reading, nominal: line(x, P, reading, nominal, H=off(nominal) / nominal),
+            "Your slope is upside down: that of √(s² + 20²) is s divided by the root.",
+        ),
+        "slope of the cart's distance, 1": (
+            lambda x, P, reading, nominal: line(x, P, reading, nominal, H=1.0),
+            "You took the slope 1, as if the station stood on the rail. It is 20 m beside it: H is nominal/height.",
+        ),
+        "P grows": (
+            lambda x, P, reading, nominal: (
+                line(x, P, reading, nominal)[0],
+                2 * P - line(x, P, reading, nominal)[1],
+            ),
+            "Your x is right. But your P becomes larger by the reading: it shrinks by the factor 1 − K·H.",
+        ),
+        "gain for P": (
+            lambda x, P, reading, nominal: (
+                line(x, P, reading, nominal)[0],
+                corrected(0, P, 1, nominal / off(nominal))[0],
+            ),
+            "Your x is right. You returned the gain; its partner is the new P, (1 − K·H)·P.",
+        ),
+        "S for P": (
+            lambda x, P, reading, nominal: (
+                line(x, P, reading, nominal)[0],
+                (nominal / off(nominal)) ** 2 * P + 4,
+            ),
+            "Your x is right. You returned the variance of the innovation; the new P is (1 − K·H)·P.",
+        ),
+        "x alone": (
+            lambda x, P, reading, nominal: line(x, P, reading, nominal)[0],
+            "Your x is right. P is wanted as well: return both, x first.",
+        ),
         "EKF": (
             lambda x, P, reading, nominal: corrected(x, P, reading - off(x), x / off(x)),
             "That is the extended filter's correction again: its tangent is drawn at the estimate x.",

@@ -46,6 +46,34 @@ WRONG = {
             lambda x, P, u: grown(x, u),
             "The mean is right. Return its variance as well: F P F + 10.",
         ),
+        "Q squared": (
+            lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P + 100),
+            "You squared Q. Q = 10 is the variance of the disturbance already.",
+        ),
+        "slope at the move without u": (
+            lambda x, P, u: (grown(x, u), growth_slope(grown(x, 0)) ** 2 * P + 10),
+            "You took the slope at the moved place, without u. The belief that is moved is at the old x: take the slope there, before the move.",
+        ),
+        "quotient not squared": (
+            lambda x, P, u: (grown(x, u), (0.5 + 25 * (1 - x**2) / (1 + x**2)) ** 2 * P + 10),
+            "In your slope the divisor is not squared. `move_slope(x)` of the notebook has it right.",
+        ),
+        "½ left out": (
+            lambda x, P, u: (grown(x, u), (25 * (1 - x**2) / (1 + x**2) ** 2) ** 2 * P + 10),
+            "In your slope the ½ of x/2 is missing. `move_slope(x)` of the notebook has it right.",
+        ),
+        "quotient rule left out": (
+            lambda x, P, u: (grown(x, u), (0.5 + 25 / (1 + x**2)) ** 2 * P + 10),
+            "In your slope only the numerator is differentiated: x stands in the divisor as well. `move_slope(x)` of the notebook has it right.",
+        ),
+        "variance alone": (
+            lambda x, P, u: growth_slope(x) ** 2 * P + 10,
+            "The variance is right. Return the mean as well, first: `return x, P`.",
+        ),
+        "P as it was": (
+            lambda x, P, u: (grown(x, u), P),
+            "The mean is right. P must be stretched by the curve, F on both sides, and grow by Q = 10.",
+        ),
         "Q forgotten": (
             lambda x, P, u: (grown(x, u), growth_slope(x) ** 2 * P),
             "The slope is right now. But P also grows by Q = 10, the variance of what disturbs a step.",
@@ -132,9 +160,34 @@ WRONG = {
             lambda mean, P0, normal: mean + 0 * normal + normal[0] * np.sqrt(np.diag(P0)),
             "Every run starts at the same wrong place. Each run has its own start, and its own row of `normal`.",
         ),
-        "other side": (
-            lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0)),
-            "As a draw that is just as good, because a Gaussian is symmetric. But please add, so that the numbers can be compared.",
+        "√P0 as it is": (
+            lambda mean, P0, normal: mean + normal * np.sqrt(P0),
+            "`np.sqrt(P0)` is a matrix, (4, 4), and `*` multiplies entry by entry. Take the four variances off the diagonal first.",
+            r"sqrt\(P0\)|cholesky\(P0\)",
+        ),
+        "one σ for all": (
+            lambda mean, P0, normal: mean + normal * np.sqrt(np.trace(P0)),
+            "You gave all four states the same σ, from the trace. Each state has its own variance: column i is stretched by the root of P0[i, i].",
+        ),
+        "mean variance": (
+            lambda mean, P0, normal: mean + normal * np.sqrt(np.trace(P0) / 4),
+            "You gave all four states the same σ. Each state has its own variance: column i is stretched by the root of P0[i, i].",
+        ),
+        "first σ for all": (
+            lambda mean, P0, normal: mean + normal * np.sqrt(P0[0, 0]),
+            "You gave all four states the σ of the first. Each state has its own variance: column i is stretched by the root of P0[i, i].",
+        ),
+        "two σ": (
+            lambda mean, P0, normal: mean + 2 * normal * np.sqrt(np.diag(P0)),
+            "You stretched by two σ. A standard normal number already reaches beyond one σ in a third of the runs: multiply it by σ.",
+        ),
+        "not random": (
+            lambda mean, P0, normal: mean + 0 * normal + np.sqrt(np.diag(P0)),
+            "Every run would start one σ away, always on the same side, and `normal` is not used. Multiply each σ by its random number.",
+        ),
+        "published covariance": (
+            lambda mean, P0, normal: normal,
+            "Those are the random numbers as they are given: stretch each column by its σ, and add the mean.",
         ),
         "divided": (
             lambda mean, P0, normal: mean + normal / np.sqrt(np.diag(P0)),
@@ -148,7 +201,7 @@ WRONG = {
             lambda mean, P0, normal: mean + normal[0] * np.sqrt(np.diag(P0)),
             "You use the first row of `normal` only. Each run has a row of its own: multiply the whole array.",
         ),
-        "σ added": (
+        "σ added, one row": (
             lambda mean, P0, normal: mean + np.sqrt(np.diag(P0)),
             "Every run would start one σ away, always on the same side, and `normal` is not used. Multiply each σ by its random number.",
         ),

@@ -7,6 +7,12 @@ def fused(sigma, H, across):
     return sigma * across / np.sqrt(sigma**2 * H**2 + across**2)
 
 
+def one_minus_K(sigma, turn, across):
+    """P after the reading with the factor 1 − K."""
+    P, H = sigma**2, np.sin(np.radians(turn))
+    return (1 - P * H / (H * P * H + across**2)) * P
+
+
 WRONG = {
     "false_range": {
         "degrees as radians": (
@@ -56,6 +62,62 @@ WRONG = {
         "unchanged": (
             lambda s, turn, r: s,
             "That would be right for a turn of 0. Here the filter believes that it sees the needle from the side.",
+        ),
+        "never squared": (
+            lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) ** 2 + r),
+            "You put `sigma` for P and `across` for R, and took no root at the end. P and R are variances: square both, and take the root last.",
+        ),
+        "1 − K, rooted": (
+            lambda s, turn, r: np.sqrt(abs(one_minus_K(s, turn, r))),
+            "P shrinks by 1 − K·H. You left the H out: the reading does not measure the place along the needle one to one.",
+        ),
+        "1 − K, not a number": (
+            lambda s, turn, r: np.sqrt(max(one_minus_K(s, turn, r), 0) or np.nan),
+            "P shrinks by 1 − K·H. You left the H out, so that P becomes negative, and the root of it is not a number.",
+        ),
+        "1 − K, as a variance": (
+            lambda s, turn, r: one_minus_K(s, turn, r),
+            "Two things: P shrinks by 1 − K·H, not by 1 − K; and asked is the root of P.",
+        ),
+        "variances added": (
+            lambda s, turn, r: np.hypot(s * np.sin(np.radians(turn)), r),
+            "That is the root of S, H P H + R: how widely the readings scatter. Asked is the standard deviation along the needle after the reading.",
+        ),
+        "S": (
+            lambda s, turn, r: (s * np.sin(np.radians(turn))) ** 2 + r**2,
+            "That is S, H P H + R, the variance of the innovation. Asked is the standard deviation along the needle after the reading.",
+        ),
+        "the gain": (
+            lambda s, turn, r: s**2 * np.sin(np.radians(turn)) / ((s * np.sin(np.radians(turn))) ** 2 + r**2),
+            "That is the gain K. P after the reading is (1 − K·H)·P; take its root.",
+        ),
+        "the share": (
+            lambda s, turn, r: fused(s, np.sin(np.radians(turn)), r) / s,
+            "That is the factor by which σ shrinks. Multiply `sigma` by it.",
+        ),
+        "what is lost": (
+            lambda s, turn, r: s - fused(s, np.sin(np.radians(turn)), r),
+            "That is by how much σ becomes smaller. Asked is what is left.",
+        ),
+        "angle for its sine": (
+            lambda s, turn, r: fused(s, np.radians(turn), r),
+            "You took the angle itself for its sine. That is good for small turns only: `np.sin(np.radians(turn))`.",
+        ),
+        "degrees for H": (
+            lambda s, turn, r: fused(s, turn, r),
+            "You took the turn itself, in degrees, for H. H is its sine.",
+        ),
+        "converted backwards": (
+            lambda s, turn, r: fused(s, np.sin(np.degrees(turn)), r),
+            "`np.degrees` turns radians into degrees. `turn` is in degrees, and NumPy's sine wants radians.",
+        ),
+        "R divides P": (
+            lambda s, turn, r: s * np.cos(np.radians(turn)),
+            "σ·cos(turn) is how long the needle seems along the new line. The reading looks across it: H is the sine, and R counts too.",
+        ),
+        "information": (
+            lambda s, turn, r: 1 / s**2 + np.sin(np.radians(turn)) ** 2 / r**2,
+            "That is the information, 1/P. The standard deviation is one divided by its root.",
         ),
         "σ for a variance": (
             lambda s, turn, r: fused(np.sqrt(s), np.sin(np.radians(turn)), r),

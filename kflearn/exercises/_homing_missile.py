@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from kflearn.exercises import _rms_figures
+
 
 def powers(e, v, t0, t, low=1, high=3, sign=-1):
     """a tˡ + b tʰ that starts as e, with the slope sign·v against the time to go."""
@@ -9,12 +11,20 @@ def powers(e, v, t0, t, low=1, high=3, sign=-1):
     return a * t**low + b * t**high
 
 
-def three(error):
-    """The squared lengths of position, velocity and acceleration errors: three arrays (runs, T)."""
-    return [np.sum(error[..., k : k + 3] ** 2, axis=-1) for k in (0, 3, 6)]
+def bent(e, v, t0, t, a=1, b=-1):
+    """a·t + b·t³ with mistakes: b of another sign or size, a from another share of b."""
+    b = b * (e + v * t0) / (2 * t0**3)
+    return (e / t0 - a * b * t0**2) * t + b * t**3
+
+
+def speed(e, v, t0, t):
+    """The velocity of the error with t seconds to go."""
+    b = -(e + v * t0) / (2 * t0**3)
+    return -(e / t0 - b * t0**2 + 3 * b * t**2)
 
 
 WRONG = {
+    "figures": _rms_figures.WRONG,
     "left_over": {
         "velocity with the wrong sign": (
             lambda e, v, t0, t: powers(e, v, t0, t, sign=1),
@@ -73,96 +83,45 @@ WRONG = {
             lambda e, v, t0, t: e * t + v * t**3,
             "You took e and v themselves for a and b. They are the error and its velocity at t₀: two equations for a and b.",
         ),
+        "each by itself": (
+            lambda e, v, t0, t: e * t / t0 - v * t**3 / (3 * t0**2),
+            "You fixed a by e alone and b by v alone. But the error at t₀ is a·t₀ + b·t₀³ and its velocity −(a + 3b·t₀²): each of them holds both. Solve the two together.",
+        ),
+        "time gone in both": (
+            lambda e, v, t0, t: powers(e, v, t0, t0 - t),
+            "Your a and b are right. But you inserted t₀ − t, the time that has passed. In a·t + b·t³ the t is the time to go.",
+        ),
+        "slope of the cube": (
+            lambda e, v, t0, t: bent(e, v, t0, t, b=-2),
+            "Your b is twice as large as it should be. Multiply −v = a + 3b·t₀² by t₀ and take e = a·t₀ + b·t₀³ off: 2b·t₀³ is left. (The slope of t³ is 3t².)",
+        ),
+        "b with the wrong sign": (
+            lambda e, v, t0, t: bent(e, v, t0, t, b=1),
+            "The sign of b: multiply −v = a + 3b·t₀² by t₀ and take e = a·t₀ + b·t₀³ off it.",
+        ),
+        "a without b": (
+            lambda e, v, t0, t: bent(e, v, t0, t, a=0),
+            "Your b is right. But a·t₀ is what is left of e when b·t₀³ is taken off: a = e/t₀ − b·t₀².",
+        ),
+        "a plus b": (
+            lambda e, v, t0, t: bent(e, v, t0, t, a=-1),
+            "Your b is right. In a the sign is wrong: e = a·t₀ + b·t₀³, so a = e/t₀ − b·t₀².",
+        ),
+        "velocity": (
+            speed,
+            "That is the error's velocity with t seconds to go. Asked is the error itself, a·t + b·t³.",
+        ),
+        "fourth power": (
+            lambda e, v, t0, t: powers(e, v, t0, t, 1, 4),
+            "You took a·t + b·t⁴. The powers are 1 and N, and N is 3.",
+        ),
+        "square and cube": (
+            lambda e, v, t0, t: powers(e, v, t0, t, 2, 3),
+            "You took a·t² + b·t³. The powers are 1 and N, and N is 3.",
+        ),
         "time gone": (
             lambda e, v, t0, t: e * (1 - t / t0),
             "You took t for the time that has passed. It is the time to go: at t = t₀ the whole error is still there.",
-        ),
-    },
-    "figures": {
-        "as published": (
-            lambda e: [np.sqrt(s).mean(axis=0) for s in (three(e)[0], three(e)[1], three(e)[1])],
-            "Both published faults are still there: mean distances, and a third series that is the velocity's.",
-        ),
-        "only the third mended": (
-            lambda e: [np.sqrt(s).mean(axis=0) for s in three(e)],
-            "The third series is mended. But these are mean distances: square first, then the mean, and the root last.",
-        ),
-        "only the RMS mended": (
-            lambda e: [np.sqrt(s.mean(axis=0)) for s in (three(e)[0], three(e)[1], three(e)[1])],
-            "The RMS is mended. But your third series is still the velocity's: the acceleration has the indices 6 to 8.",
-        ),
-        "per axis": (
-            lambda e: [np.sqrt(s.mean(axis=0) / 3) for s in three(e)],
-            "You averaged over the three axes as well, which gives the RMS *per axis*, smaller by √3. Sum over the axes.",
-        ),
-        "every third": (
-            lambda e: [np.sqrt(np.mean(np.sum(e[..., k::3] ** 2, axis=-1), axis=0)) for k in (0, 1, 2)],
-            "`k::3` takes every third state, one of the position, one of the velocity, one of the acceleration. The three "
-            "of a kind stand side by side: `k : k + 3`.",
-        ),
-        "in the wrong order": (
-            lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[::-1]],
-            "The three series are right, in the wrong order: position, velocity, acceleration.",
-        ),
-        "the worst": (
-            lambda e: [np.sqrt(s.max(axis=0)) for s in three(e)],
-            "You took the worst run. Asked is the root of the *mean* of the squares over the runs.",
-        ),
-        "no root": (
-            lambda e: [s.mean(axis=0) for s in three(e)],
-            "These are mean squares, in m²: the root is missing.",
-        ),
-        "over time": (
-            lambda e: [np.sqrt(s.mean(axis=1)) for s in three(e)],
-            "You averaged over the time, axis 1, which gives one number a run. Asked is one a step: average over the runs, axis 0.",
-        ),
-        "over everything": (
-            lambda e: [np.sqrt(s.mean()) for s in three(e)],
-            "You averaged over runs and time. Asked is a series: average over the runs, axis 0, only.",
-        ),
-        "length of the mean": (
-            lambda e: [np.linalg.norm(e[..., k : k + 3].mean(axis=0), axis=-1) for k in (0, 3, 6)],
-            "You averaged the errors before squaring them: errors to the left and to the right cancel, and only the bias is left.",
-        ),
-        "sums": (
-            lambda e: [np.sqrt(s.sum(axis=0)) for s in three(e)],
-            "You summed over the runs: more runs would make the error larger. Take the mean.",
-        ),
-        "for each state": (
-            lambda e: np.moveaxis(np.sqrt(np.mean(e**2, axis=0)), -1, 0),
-            "That is one series for each of the nine states. Put three axes together: add their squares.",
-        ),
-        "spread": (
-            lambda e: [np.sqrt(sum(e[..., k + i].var(axis=0) for i in range(3))) for k in (0, 3, 6)],
-            "`var` and `std` take the mean away first: a filter that is off by the same kilometre in every run would score 0.",
-        ),
-        "one column each": (
-            lambda e: np.stack([np.sqrt(s.mean(axis=0)) for s in three(e)], axis=-1),
-            "The numbers are right; hand them back as three series, each (T,), not as T rows of three.",
-        ),
-        "for each run": (
-            lambda e: [np.sqrt(s) for s in three(e)],
-            "These are the distances of each run. The mean of their squares over the runs is missing, before the root.",
-        ),
-        "nine rows": (
-            lambda e: np.sqrt(np.mean(e**2, axis=0)),
-            "That is one column for each of the nine states. Put three axes together: add their squares before the mean.",
-        ),
-        "two series": (
-            lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[:2]],
-            "The first two are right; the third series, the acceleration's (indices 6 to 8), is missing.",
-        ),
-        "one axis": (
-            lambda e: [np.sqrt(np.mean(e[..., k] ** 2, axis=0)) for k in (0, 3, 6)],
-            "You took the first axis of each alone. Position, velocity and acceleration have three axes each: add their squares.",
-        ),
-        "two axes": (
-            lambda e: [np.sqrt(np.mean(np.sum(e[..., k : k + 2] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)],
-            "You took two axes of three: `k : k + 2` ends before k + 2.",
-        ),
-        "mean size": (
-            lambda e: [np.mean(abs(e[..., k : k + 3]), axis=(0, 2)) for k in (0, 3, 6)],
-            "Those are mean sizes of the errors of an axis. Add the squares of three axes, take the mean over the runs, then the root.",
         ),
     },
     "memory": {
@@ -233,6 +192,50 @@ WRONG = {
         "sd": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), sd),
             "The part is right. The noise only fills up what fades in a step, and it is a variance: sd²(1 − part²).",
+        ),
+        "both grow": (
+            lambda lasts, sd, dt: (np.exp(dt / lasts), sd**2 * (1 - np.exp(2 * dt / lasts))),
+            "The sign of the exponent: what survives is less than 1. With a part above 1 your variance is negative.",
+        ),
+        "part alone": (
+            lambda lasts, sd, dt: np.exp(-dt / lasts),
+            "Your part is right. Return two numbers: the part, and the variance of the noise.",
+        ),
+        "noise alone": (
+            lambda lasts, sd, dt: sd**2 * (1 - np.exp(-2 * dt / lasts)),
+            "Your variance is right. Return two numbers: first the part that survives, then the variance.",
+        ),
+        "part squared": (
+            lambda lasts, sd, dt: (np.exp(-2 * dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
+            "The variance is right. But the first number is what survives of an acceleration, not of its square.",
+        ),
+        "λ": (
+            lambda lasts, sd, dt: (1 / lasts, sd**2 * (1 - np.exp(-2 * dt / lasts))),
+            "The variance is right. Your first number is λ, a rate per second. What survives a step is e^(−λ·dt).",
+        ),
+        "λ dt": (
+            lambda lasts, sd, dt: (dt / lasts, sd**2 * (1 - (dt / lasts) ** 2)),
+            "Your part is dt/lasts, which is nearly what *fades* in a step. What survives is e^(−dt/lasts).",
+        ),
+        "half-life": (
+            lambda lasts, sd, dt: (0.5 ** (dt / lasts), sd**2 * (1 - 0.25 ** (dt / lasts))),
+            "You took `lasts` for a half-life. Singer's rate is λ = 1/lasts, and what survives a step is e^(−λ·dt).",
+        ),
+        "noise times dt": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts)) * dt),
+            "The part is right. The noise is for one step already: sd² · (1 − part²) needs no dt.",
+        ),
+        "noise over dt": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts)) / dt),
+            "The part is right. The noise is for one step already: sd² · (1 − part²) needs no dt.",
+        ),
+        "divided by 1 − part²": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 / (1 - np.exp(-2 * dt / lasts))),
+            "The part is right. You divided: that is the variance which noise of sd² would lead to. Asked is the noise which leads to sd².",
+        ),
+        "density": (
+            lambda lasts, sd, dt: (np.exp(-dt / lasts), 2 * sd**2 / lasts),
+            "The part is right. 2·sd²/lasts is the strength of the noise per second. Asked is the variance that one step of dt adds.",
         ),
         "rate and time swapped, not squared": (
             lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-lasts * dt))),

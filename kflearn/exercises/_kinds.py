@@ -12,6 +12,7 @@ from kflearn.exercises._messages import Message, Outcome
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._typed import typed
 from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
+from kflearn.exercises._words import not_there
 
 TRIALS = 20  # random inputs on which a function is tried
 
@@ -177,7 +178,7 @@ class ChoiceExercise(ValueExercise):
         if self.lines and not all(map(str.isdigit, given or {""})):
             return "give the number of the line, or a list of them."
         if not given or not (self.lines or given <= self.choices):
-            return f"choose from {self._listed(self.choices)}."
+            return f"{not_there(answer, self.choices)}choose from {self._listed(self.choices)}."
         if len(given) > 1 and len(chosen(self.right)) == 1 and not self.lines:
             return "choose one, please. If two of them seem right: which of them is enough alone?"
         if len(given) > max(3, len(self.choices) // 2):

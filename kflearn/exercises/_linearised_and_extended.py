@@ -21,8 +21,37 @@ def measured(x, step=1e-3):
     return np.stack([(radar(x + e) - radar(x - e)) / (2 * step) for e in step * np.eye(4)], axis=-1)
 
 
+def numerator_only(x):
+    """The entry of the column of y, as if r in the numerator's quotient did not depend on y."""
+    J = radar_slope(x)
+    J[1, 2] = x[3] / np.hypot(x[0], x[2])
+    return J
+
+
+def without(x, row, column):
+    """The right Jacobian with one entry zero."""
+    J = radar_slope(x)
+    J[row, column] = 0
+    return J
+
+
 WRONG = {
     "mended_slope": {
+        **{
+            f"measured with a step of {step}": (
+                lambda x, step=step: measured(x, step),
+                "That is a central difference, right to some digits only. It is good enough to find the slip. Now write the formula.",
+            )
+            for step in (1e-2, 1e-4, 1e-5, 1e-6, 1.0)
+        },
+        "numerator only": (
+            numerator_only,
+            "In the column of y you differentiated the numerator alone: that gives vy/r. The r below depends on y as well.",
+        ),
+        "third entry left out": (
+            lambda x: without(x, 0, 2),
+            "The second row is right. In the first, the slope of the distance along y, y/r, was right too, and you made it zero.",
+        ),
         "measured": (
             measured,
             "That is the central difference. It is right to some eight digits, which is enough to find the slip. Now write the formula.",

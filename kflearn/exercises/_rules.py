@@ -172,7 +172,7 @@ def _reads(function, i) -> bool:
     """Whether a function's own code reads its argument number i, as far as the code can be looked at."""
     code = getattr(function, "__code__", None)  # of a method as well
     i += inspect.ismethod(function)
-    if code is None:
+    if code is None or _overwritten(code, i):
         return False
     if i >= code.co_argcount:
         return True  # it comes in by a star: whatever is done with it cannot be seen
@@ -180,6 +180,14 @@ def _reads(function, i) -> bool:
     steps = [step for step in dis.get_instructions(code) if "FAST" in step.opname or "DEREF" in step.opname]
     read = [step.argval for step in steps if not step.opname.startswith(("STORE", "DELETE"))]
     return any(name == one or (isinstance(one, tuple) and name in one) for one in read)
+
+
+def _overwritten(code, i) -> bool:
+    """Whether a function gives its argument number i another value before it reads it."""
+    name = code.co_varnames[i] if i < code.co_argcount else None
+    uses = (step for step in dis.get_instructions(code) if "FAST" in step.opname and step.argval == name)
+    first = next(uses, None)
+    return first is not None and first.opname == "STORE_FAST"
 
 
 def _shapes(case):

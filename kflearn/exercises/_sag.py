@@ -6,7 +6,10 @@ import numpy as np
 
 WRONG = {
     "not rooted": (1600, "That is σ², in m². The σ of the belief is its root."),
-    "without the 2": (math.sqrt(800), "You left out the 2 below the fraction: the sag is σ²/(2d), not σ²/d."),
+    "one factor 2": (
+        math.sqrt(800),
+        "Your σ² is 800 m². In σ²/(2 · 400 m) = 2 m there are two factors 2, the one of the sag and the 2 m of the reading, and one of them is left out.",
+    ),
     "without the 2, not rooted": (800, "Two things: the sag is σ²/(2d), not σ²/d, and what you have is σ², not σ."),
     "variance of the reading": (
         math.sqrt(3200),
@@ -19,6 +22,17 @@ WRONG = {
         math.sqrt(2 * 20 * 2),
         "You took the 20 m of the cart on the rail. Here the station is 400 m away.",
     ),
+    "the sag itself": (
+        2**2 / 800,
+        "You put the reading's 2 m in as the σ of the belief, so that is the sag of a belief 2 m wide. Asked is the σ for which the *sag* is 2 m.",
+    ),
+    "the root of 2 m": (
+        math.sqrt(800 * math.sqrt(2)),
+        "You took the root of 2 m. The 2 m are a standard deviation already: the sag is to be as large as that.",
+    ),
+    "upside down": (math.sqrt(2 / 800), "You divided 2 m by 2 · 400 m. In σ²/(2d) = 2 m, multiply both sides by 2d."),
+    "a quarter": (10, "At 10 m the sag is only a sixteenth of what is wanted: it grows with the square of σ."),
+    "half the distance": (200, "You divided the distance by 2. Solve σ²/(2 · 400 m) = 2 m for σ."),
     "2 above": (math.sqrt(400 * 2 / 4), "The 2 belongs below the fraction: σ² = 2 · d · 2 m."),
 }
 
@@ -87,6 +101,34 @@ POLAR = {
     "across for along": (
         lambda r, angle, sd_r, sd_angle: turned(r, angle, r * sd_angle, sd_r / r),
         "Along and across have changed places: σ of the distance acts along the line of sight, r times σ of the bearing across it.",
+    ),
+    "not turned": (
+        lambda r, angle, sd_r, sd_angle: np.diag([sd_r**2, (r * sd_angle) ** 2]),
+        "That is the covariance along and across the line of sight. East and north are turned against these by the bearing: J R Jᵀ.",
+    ),
+    "bearing for degrees": (
+        lambda r, angle, sd_r, sd_angle: turned(r, np.radians(angle), sd_r, sd_angle),
+        "You converted the bearing from degrees. It is in radians already, which is what NumPy's sine and cosine want.",
+    ),
+    "sd of the bearing for degrees": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r, np.radians(sd_angle)),
+        "You converted `sd_angle` from degrees. It is in radians already.",
+    ),
+    "distance not squared": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r, sd_angle, near=r**-0.5),
+        "Across the line of sight the standard deviation is r · sd_angle. In the variance both are squared, the distance as well.",
+    ),
+    "turned the other way": (
+        lambda r, angle, sd_r, sd_angle: turned(r, -angle, sd_r, sd_angle),
+        "The variances are right, and the correlation has the wrong sign: you turned by the bearing in the wrong direction. Work out the four slopes once more.",
+    ),
+    "inverse": (
+        lambda r, angle, sd_r, sd_angle: np.linalg.inv(turned(r, angle, sd_r, sd_angle)),
+        "That is the inverse of the covariance.",
+    ),
+    "R twice": (
+        lambda r, angle, sd_r, sd_angle: turned(r, angle, sd_r**2, sd_angle**2),
+        "You squared the standard deviations twice: a variance is `sd_r**2`.",
     ),
     "roots": (
         lambda r, angle, sd_r, sd_angle: np.sqrt(np.diag(turned(r, angle, sd_r, sd_angle))),

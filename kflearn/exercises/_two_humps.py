@@ -45,4 +45,44 @@ WRONG = {
         (4.4, math.sqrt(122 - 4.4)),
         "The mean is right. From the mean square 122 the *square* of the mean comes off, 4.4².",
     ),
+    "weights squared": (
+        (4.4, math.sqrt(0.49 + 0.09)),
+        "The mean is right. You squared the weights, as one does for the weighed mean of two readings. Here the state is at one hump or at the other: take the mean square distance from 4.4, and add the width.",
+    ),
+    "spread without weights": (
+        (4.4, math.sqrt(1 + 6.6**2 + 15.4**2)),
+        "The mean is right. You added both squared distances in full: weigh each of them by the probability of its hump.",
+    ),
+    "spread half and half": (
+        (4.4, math.sqrt(1 + (6.6**2 + 15.4**2) / 2)),
+        "The mean is right. You weighed the squared distances equally; the humps have the probabilities 0.7 and 0.3.",
+    ),
+    "11 for 22": (
+        (4.4, math.sqrt(1 + 0.21 * 121)),
+        "The mean is right. In 0.7 · 0.3 · d² the d is the distance between the humps: from −11 to +11.",
+    ),
+    "sum of the σ": (
+        (4.4, 2),
+        "The mean is right. You added the σ of the humps. What counts most is how far each hump is from 4.4.",
+    ),
+    "half and half, right spread": (
+        (0, math.sqrt(102.64)),
+        "The standard deviation is right. In the mean, one hump has the probability 0.7, the other 0.3.",
+    ),
+    "first part of the mean": (
+        (7.7, math.sqrt(102.64)),
+        "The standard deviation is right. 7.7 is the share of the hump at +11 alone: the other hump has its share too.",
+    ),
+    "other hump unsigned": (
+        (11, math.sqrt(122)),
+        "The hump at −11 pulls the mean down: 0.7 · 11 + 0.3 · (−11). And the variance is the mean square distance from that mean.",
+    ),
+    "distances, not squared": (
+        (4.4, 0.7 * 6.6 + 0.3 * 15.4),
+        "The mean is right. You took the mean of the distances. Square each of them first, and take the root last.",
+    ),
+    "distances and width": (
+        (4.4, 0.7 * 6.6 + 0.3 * 15.4 + 1),
+        "The mean is right. You added distances and width as they are. Square each of them first, and take the root last.",
+    ),
 }

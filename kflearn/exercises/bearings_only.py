@@ -56,6 +56,7 @@ def mended_bearing(east, north):
             "How fast a target moves does not change where it is seen now. The zeros are right.",
         ),
     },
+    also=["Nothing is wrong", "nothing"],
     then="(d): the gradient of a bearing is (−north, east)/distance², per metre. Only the name in the code is wrong: `distance` is a square.",
 )
 def review():
@@ -87,7 +88,7 @@ def bearing_variance(sd):
     wrong={
         "own velocity doubled": (
             (6, -4),
-            "You doubled the target's own velocity. What scales is the velocity relative to us, (−3, −2).",
+            "You doubled the target's own velocity, or ours as well. What doubles is the velocity relative to us, (−3, −2); ours is added once.",
         ),
         "relative velocity": (
             (-6, -4),
@@ -132,6 +133,30 @@ def bearing_variance(sd):
         "one doubled": (
             (12, -2),
             "You doubled one number alone and left ours out. Relative velocity, twice, then back: all of it for east and for north.",
+        ),
+        "ours minus theirs, doubled": (
+            (6, 4),
+            "That is our velocity minus the target's, doubled. Relative is target minus ours; and at the end our velocity is added.",
+        ),
+        "signs of relative and own": (
+            (12, 4),
+            "The signs: relative is target minus ours, (−3, −2). Doubled, our (6, 0) is *added* to it.",
+        ),
+        "target's velocity added": (
+            (-3, -6),
+            "You doubled the relative velocity and added the target's. It is relative to us: add ours.",
+        ),
+        "target's taken off": (
+            (-9, -2),
+            "You doubled the relative velocity and took the target's off. It is relative to us: add ours.",
+        ),
+        "our velocity": (
+            (6, 0),
+            "That is our own velocity. A ship that moves as we do would be seen in one direction for ever.",
+        ),
+        "four times": (
+            (-6, -8),
+            "You doubled twice. Twice as far away, the relative velocity doubles once.",
         ),
         "ours unchanged, north doubled": (
             (3, -4),

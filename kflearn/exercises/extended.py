@@ -22,6 +22,7 @@ def believed_starts(rng, runs):
     ],
     inputs=in_turn(believed_starts, 2, 3, 6, 1),
     wrong=WRONG["true_starts"],
+    also=[lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0))],  # a Gaussian is symmetric
     fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},
     then="With starts like these the mean NEES before the first reading is 4, the number of states; with the published ones it is 0.",
 )

@@ -111,6 +111,35 @@ def memory(lasts, sd, dt):
             lambda: math.hypot(500, 300, 40) / 2,
             "You divided the length by 2. Three axes share the squared length.",
         ),
+        "root of the sum": (
+            lambda: math.sqrt(840 / 3),
+            "You took the root of the mean of the three errors. The NEES adds their *squares*: 500², 300² and 40².",
+        ),
+        "root of the sum, not divided": (
+            lambda: math.sqrt(840),
+            "You added the three errors and took the root. The NEES adds their *squares*; then three axes share the sum.",
+        ),
+        "by √3": (
+            lambda: 100 * math.sqrt(3),
+            "You scaled σ by √3. The NEES is 34 and should be 3, so it must shrink by 34/3, and it goes with 1/σ².",
+        ),
+        "three times": (
+            300,
+            "You took three times the claim, or the second error. The NEES is 34 and should be 3, and it goes with 1/σ².",
+        ),
+        "100 times 34": (
+            lambda: 3400,
+            "You scaled σ by the NEES. It should be 3, not 1, and it goes with 1/σ²: scale σ by the root of 34/3.",
+        ),
+        "the sum of the errors": (840, "You added the errors as they are. The NEES adds their squares."),
+        "the sum of the squares": (
+            lambda: 500**2 + 300**2 + 40**2,
+            "That is the squared length of the error. Divided by σ² it must give 3: solve for σ.",
+        ),
+        "largest axis, shared": (
+            lambda: 500 / math.sqrt(3),
+            "You shared the largest error alone among three axes. Put the squares of all three together first.",
+        ),
         "100 times 34/3, rounded": (
             lambda: 100 * 34 / 3,
             "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import after
-from kflearn.exercises._slips_points_and_models import MORE
+from kflearn.exercises._slips_models import MORE
 from kflearn.exercises.engine import exercise
 
 
@@ -259,7 +259,8 @@ def swapped(z):
             lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 1] - z[:, 0]) / T)[1],
             "The states are right. Return two things: the first positions, and then the states.",
         ),
-    },
+    }
+    | MORE["mended_start"],
     then="Run 1 had the right speed all the time: only a test with several runs can show the second fault.",
 )
 def mended_start(z, T):

@@ -4,10 +4,11 @@ import numpy as np
 
 from kflearn import angle_difference
 from kflearn.exercises import _cart_on_a_rail, _sag
-from kflearn.exercises._judge import inside, nees, track
+from kflearn.exercises._judge import track
 from kflearn.exercises._linearised_and_extended import WRONG
-from kflearn.exercises._radar import FAILING, PASSING, place_error, recording
-from kflearn.exercises.engine import Mark, exercise, judged
+from kflearn.exercises._radar import FAILING, MARKS, PASSING, recording
+from kflearn.exercises._radar_signs import SIGNS
+from kflearn.exercises.engine import exercise, judged
 
 
 @exercise(
@@ -17,6 +18,7 @@ from kflearn.exercises.engine import Mark, exercise, judged
         "σ² = 2 · 400 m · 2 m = 1600 m². The answer is the root of that.",
     ],
     wrong=_sag.WRONG,
+    also=[np.sqrt(402**2 - 400**2)],  # without the parabola
     unit="m",
     then="At a quarter of that, 10 m, the sag is only a sixteenth of the reading's σ: it falls with the square.",
 )
@@ -109,41 +111,8 @@ def linearised_correction(x, P, reading, nominal):
         "`angle_difference(…, …, 2 * np.pi)`.",
     ],
     recording=recording,
-    marks=[
-        Mark(
-            "place error (rms)",
-            place_error(),
-            high=4.6,
-            above="That is more than needed. Test the two rows of H; the bearing is arctan2(north, east); R holds variances, 5² and 0.02²; and take the difference of two bearings the short way round.",
-            unit="m",
-        ),
-        Mark(
-            "true east inside ±2σ",
-            inside(0),
-            91,
-            98.5,
-            below="The claim is too small: is Q added in each step, is R = diag(5², 0.02²)?",
-            above="The claim is too large: are Q and R as given?",
-            unit="%",
-        ),
-        Mark(
-            "true north inside ±2σ",
-            inside(2),
-            91,
-            98.5,
-            below="The claim is too small: is Q added in each step, is R = diag(5², 0.02²)?",
-            above="The claim is too large: are Q and R as given?",
-            unit="%",
-        ),
-        Mark(
-            "NEES / n",
-            nees(),
-            0.8,
-            1.25,
-            below="The claim is too large: the squared errors are smaller than claimed. Are both measurements used, with R = diag(5², 0.02²)?",
-            above="The claim is too small: the squared errors are larger than claimed. Is H right, is R = diag(5², 0.02²), is Q added, are bearings subtracted the short way?",
-        ),
-    ],
+    marks=MARKS,
+    signs=SIGNS,
     form=track(4),
     passing=PASSING,
     failing=FAILING,

@@ -1,0 +1,43 @@
+"""A choice as a learner may write it: with an article, with the words beside the letter, in another word for the same."""
+
+import re
+
+# Words that say the same of a size or of a comparison, as far as one of them is among the choices
+ALIKE = [
+    {"larger", "bigger", "greater", "higher", "more", "worse", "increases", "it increases", "grows", "it grows"},
+    {"smaller", "less", "lower", "better", "decreases", "it decreases", "shrinks", "it shrinks"},
+    {"nothing", "no difference", "none", "neither", "no change", "unchanged", "no effect", "same", "equal", "zero"},
+    {"lkf", "linearised", "linearized", "linearised filter", "linearized filter", "linearised kalman filter"},
+    {"ekf", "extended", "extended filter", "extended kalman filter"},
+]
+LETTER = re.compile(
+    r"(?:option|answer|choice|reviewer|letter)? *\(?([a-z])\)?(?: (?:is|has it|was) ?(?:right|correct)?)?"
+    r"|\(?([a-z])[).:] +(?!and\b|or\b)(?=.*[a-z]{4})[^()]+"
+)
+
+
+def plain(text, choices) -> str:
+    """A text in small letters, without what stands round the choice; the choice itself where it can be found.
+
+    Examples
+    --------
+    >>> plain("(D) Nothing is wrong.", {"a", "d"}), plain("The LKF", {"lkf", "ekf"}), plain("bigger", {"larger"})
+    ('d', 'lkf', 'larger')
+    """
+    whole = re.sub(r"^the +", "", text.strip(" .!()'\"“”").casefold())
+    if whole in choices:
+        return whole
+    letter = LETTER.fullmatch(text.strip(" .!'\"“”").casefold())
+    if letter and (letter[1] or letter[2]) in choices:
+        return letter[1] or letter[2]
+    alike = set().union(*(group & set(choices) for group in ALIKE if whole in group))
+    return alike.pop() if len(alike) == 1 else whole
+
+
+def not_there(answer, choices) -> str:
+    """What is said before the list of choices, where the answer is a word or a number that is none of them."""
+    words = all(len(choice) > 1 for choice in choices - {"true"})
+    if isinstance(answer, str):
+        text = " ".join(answer.split())
+        return f"“{text[:40]}” is not among the choices: " if len(text) > 2 else ""
+    return "a word is wanted, in quotation marks: " if words and "true" not in choices else ""
