@@ -1,4 +1,4 @@
-"""Lesson 25: from Gauss to Kalman."""
+"""Lesson 26: from Gauss to Kalman."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Lesson 24: your own data."""
+"""Lesson 25: your own data."""
 
 from itertools import cycle
 

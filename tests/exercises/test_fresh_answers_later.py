@@ -1,4 +1,4 @@
-"""Answers of lessons 12 to 24 that a stranger handed in: what each of them must get."""
+"""Answers of lessons 12 to 25 that a stranger handed in: what each of them must get."""
 
 import math
 from importlib import import_module
