@@ -110,7 +110,7 @@ def read(path, time=None, columns=None, time_unit=None, encoding="utf-8-sig", **
     tracks.refuse_binary(raw, short(Path(path).name))
     text = _decoded(raw, encoding)
     plain = encoding in ("utf-8", "utf-8-sig")
-    return _parsed(text, told, Path(path) if plain else None, Path(path).suffix.lower())
+    return _parsed(text, told, Path(path).suffix.lower(), *((Path(path), raw) if plain else ()))
 
 
 def _decoded(raw, encoding):
@@ -131,14 +131,14 @@ def parse(text, time=None, columns=None, time_unit=None, **options) -> Recording
     return _parsed(text, Options.of(dict(time=time, columns=columns, time_unit=time_unit, **options)))
 
 
-def _parsed(text, options, path=None, ending=""):
+def _parsed(text, options, ending="", path=None, raw=None):
     """From plain texts quickly; if anything is wrong once more, slowly, to say what."""
     if ending == ".gpx" or "<gpx" in text[:2000]:
         return _recording(tracks.gpx(text), options, [])
     if ending == ".nmea" or text.lstrip("\ufeff \r\n").startswith(("$G", "\\g:")):
         return _recording(tracks.nmea(text, options), options, [])
     try:
-        table = rows.quick_table(text, options, path)
+        table = rows.quick_table(text, options, path, raw)
         if table is not None:
             return _recording(table, options, [])
     except RecordingError:

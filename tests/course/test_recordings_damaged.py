@@ -15,7 +15,7 @@ DAMAGE = {
     "no header": ("# note\n0,1\n1,2\n2,3\n", {}, 2, "the names of the columns are missing"),
     "no header, dates": ("2026-05-03;1,5\n2026-05-04;2\n", {}, 1, "the names of the columns are missing"),
     "header in a comment": ("# t,x\n0,1\n1,2\n", {}, 2, "what follows a # is a comment"),
-    "named twice": ("t [s],x,x\n0,1,2\n1,1,2\n", dict(columns=["x"]), 1, "two columns have the name 'x': ask for 'x.2'"),
+    "named twice": ("t [s],x,x\n0,1,2\n1,1,2\n", dict(columns=["x"]), 1, "two columns have the name 'x': ask for"),
     "one column": ("t [s],\n0,\n1,\n", {}, 1, "a column or more beside that of the time stamps"),
     "no rows": ("t [s],x\n", {}, 1, "two rows or more below its header, found 0"),
     "one row": ("t [s],x\n0,1\n\n", {}, 1, "two rows or more below its header, found 1"),

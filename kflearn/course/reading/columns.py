@@ -74,7 +74,11 @@ def _no_readings(table, j, options):
     if table.columns[j].dtype.kind == "M":
         return "dates"
     numbers = sum(bool(NUMBER_LIKE.fullmatch(text)) for text in texts)
-    return "" if 2 * numbers >= len(texts) and numbers else f"words, such as {short(texts[0], 16)}"
+    return "" if 2 * numbers >= len(texts) and numbers else f"{_kind(texts[0])}, such as {short(texts[0], 16)}"
+
+
+def _kind(text):
+    return "words" if any(sign.isalpha() for sign in text) else "no numbers"
 
 
 def values_of(table, chosen, options, faults):
@@ -84,7 +88,7 @@ def values_of(table, chosen, options, faults):
     for i, j in enumerate(chosen):
         if table.is_numeric(j):
             values[:, i] = table.columns[j].to_numpy(dtype=float, na_value=np.nan)
-            for k in np.flatnonzero(np.isinf(values[:, i])):
+            for k in np.flatnonzero(np.isinf(values[:, i])) if table.exact else ():
                 faults.append((int(table.lines[k]), f"column {short(table.names[j])}: {values[k, i]} is no number"))
         else:
             texts[i] = table.text(j)
@@ -111,7 +115,7 @@ def values_of(table, chosen, options, faults):
 
 def without_silent(table, chosen, values, options, faults, others):
     """Columns in which every reading is a gap: a fault if they were asked for, else left out."""
-    silent = np.isnan(values).all(axis=0)
+    silent = np.array([bool(np.isnan(z[0]) and np.isnan(z).all()) for z in values.T])
     if options.columns is not None:
         faults += [
             (table.top, f"column {short(table.names[j])} holds no reading at all")
@@ -121,6 +125,8 @@ def without_silent(table, chosen, values, options, faults, others):
         return chosen, values
     if silent.all():
         faults.append((table.top, f"column {short(table.names[chosen[0]])} holds no reading at all"))
+        return chosen, values
+    if not silent.any():
         return chosen, values
     others |= {j: "no reading" for j, s in zip(chosen, silent, strict=True) if s}
     return [j for j, s in zip(chosen, silent, strict=True) if not s], values[:, ~silent]

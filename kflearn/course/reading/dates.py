@@ -78,7 +78,7 @@ def periods(texts):
     """Whole months, quarters or years, ["1901-01", …]: seconds from the first, stamps, a note; None for others."""
     import pandas as pd
 
-    found = [PERIOD.fullmatch(text) for text in texts]
+    found = [PERIOD.fullmatch(text) for text in texts] if PERIOD.fullmatch(texts[0]) else [None]
     if not all(found) or len({(f[2] is None, f[3] is None) for f in found}) > 1:
         return None
     if any((f[2] and not 1 <= int(f[2]) <= 12) or int(f[1]) == 0 for f in found):
@@ -92,7 +92,7 @@ def periods(texts):
 
 def clocks(texts):
     """Seconds of hours, minutes and seconds, "14:05:09.5", since midnight; None where one is no clock."""
-    found = [CLOCK.fullmatch(text) for text in texts]
+    found = [CLOCK.fullmatch(text) for text in texts] if CLOCK.fullmatch(texts[0]) else [None]
     if not all(found):
         return None
     return np.array([3600 * int(f[1]) + 60 * int(f[2]) + float(f[3].replace(",", ".")) for f in found])

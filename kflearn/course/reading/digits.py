@@ -20,6 +20,8 @@ class Digits:
 
 def looks_like(stamps, name, unit):
     """Digits, or None where the numbers look like a count."""
+    if len(stamps) > 5000 and not _possible(stamps[:: len(stamps) // 1000]):
+        return None
     if len(stamps) < 2 or not np.isfinite(stamps.astype(float)).all():
         return None
     whole = np.floor(stamps.astype(float))
@@ -34,6 +36,12 @@ def looks_like(stamps, name, unit):
         text = f"numbers such as {whole[0]:.0f} look like hours, minutes, seconds: time_format='{form}'"
         return Digits(form, False, f"{text}; time_unit='{unit or 's'}' counts them as they are")
     return None
+
+
+def _possible(some):
+    """May some of many stamps be a clock or dates?"""
+    whole = np.floor(some.astype(float))
+    return (whole % 100 < 60).all() and (_date_form(whole, True) is not None or whole.max() < 240_000)
 
 
 def _date_form(whole, with_unit):

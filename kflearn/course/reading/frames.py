@@ -33,21 +33,24 @@ def table_of(source) -> Table:
 def _of_dict(source):
     import pandas as pd
 
-    lengths = {}
+    lengths, columns = {}, {}
     for name, values in source.items():
         try:
-            array = np.ma.filled(values, np.nan) if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+            if isinstance(values, np.ma.MaskedArray):
+                values = values.astype(float).filled(np.nan)
+            array = np.asarray(values)
             if array.ndim != 1:
                 raise ValueError
         except (ValueError, TypeError):
             raise RecordingError((None, f"{short(name)} must be a list or an array of one dimension")) from None
         lengths.setdefault(len(array), name)
+        columns[str(name)] = pd.Series(values)
     if len(lengths) > 1:
         (n, one), (m, other), *_ = lengths.items()
         raise RecordingError(
             (None, f"the columns have {n} rows ({short(one)}) and {m} ({short(other)}): they must be alike")
         )
-    return pd.DataFrame({str(name): pd.Series(values) for name, values in source.items()})
+    return pd.DataFrame(columns)
 
 
 def _of_another_library(source):
@@ -81,7 +84,7 @@ def _plain(column):
     if kind == "c":
         raise RecordingError((None, f"column {short(str(column.name))} holds complex numbers: take .real or .imag"))
     if pd.api.types.is_bool_dtype(column):
-        return column.astype(object).map(str)
+        return column.astype(object).map(str).str.lower()
     if pd.api.types.is_extension_array_dtype(column.dtype) and kind in "iuf":
         whole = kind in "iu" and not column.isna().any()
         return pd.Series(column.to_numpy(dtype=np.int64 if whole else float, **({} if whole else {"na_value": np.nan})))

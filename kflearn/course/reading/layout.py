@@ -23,10 +23,10 @@ DATE = re.compile(
     r"\d{1,4}[-/.]\d{1,2}([-/.]\d{1,4})?\D|\d{4}-\d{2}(-\d{2})?$|\d{1,2}[-/.]\d{1,2}[-/.]\d{2,4}|\d{1,2}:\d\d"
     r"|\d{4}-?W\d\d|\d{8}T\d"
 )
-JSON = "this is JSON, not a table: json.loads or pandas.read_json, then read(a dict of lists, or the DataFrame)"
+JSON = "this is JSON, not a table: pandas.read_json or json.loads, then read(DataFrame or dict of lists)"
 NO_TABLES = (
     ("<gpx", "this is GPX: save it with the ending .gpx, then read takes it"),
-    ("<", "this is XML or HTML, no table: pandas.read_xml or pandas.read_html, then read(the DataFrame)"),
+    ("<", "this is XML or HTML, not a table: pandas.read_xml, then read(the DataFrame)"),
     ("{", JSON),
     ("[{", JSON),
     ("[[", JSON),
@@ -37,13 +37,13 @@ NO_TABLES = (
 
 @dataclass(frozen=True)
 class Layout:
-    """Separator, line and fields of the header, the fields of a row of units, index of the first row among the lines."""
+    """Separator, line and fields of the header, fields of a row of units, line of the first row."""
 
     separator: str
     top: int | None
     titles: tuple
     units: tuple
-    first: int  # the number of the line with the first row
+    first: int
 
 
 def layout_of(lines, options) -> Layout:
@@ -108,21 +108,19 @@ def _header_among(rows, options):
         for k, (_, fields, _) in enumerate(rows):
             if fields and asked <= {*fields, *(re.sub(r"\s*[\[(].*", "", field) for field in fields)}:
                 return k
-    data = next((k for k, (_, fields, _) in enumerate(rows) if fields and _is_row(fields)), None)
-    if data is None or data == 0:
+    widths = [len(fields or []) for _, fields, _ in rows]
+    width = max(widths, key=widths.count)
+    data = next((k for k, (_, fields, _) in enumerate(rows) if fields and len(fields) == width and _is_row(fields)), 0)
+    if data == 0 or (_plain_title(rows[0][2]) and widths[0] >= width):
         return 0
-    width = len(_cut(rows[data][1]))
-    k = data - 1
-    while k > 0 and _of_units(rows[k][1], len(rows[k][1])):
-        k -= 1
-    wide = len(_cut(rows[0][1] or []))
-    return 0 if wide >= width and (wide == width or k == 0) and not _preamble(rows, k, width) else k
+    names = [k for k in range(data) if rows[k][1] and not _is_row(rows[k][1])]
+    while len(names) > 1 and _of_units(rows[names[-1]][1], width):
+        names.pop()
+    return names[-1] if names else 0
 
 
-def _preamble(rows, k, width):
-    """Are there lines of another width before line k, which has the width of the readings?"""
-    widths = {len(_cut(fields or [])) for _, fields, _ in rows[:k]}
-    return k > 0 and width not in widths and len(_cut(rows[k][1] or [])) >= width
+def _plain_title(line):
+    return re.search(r"\w ?[\[(][^][()]+[\])]", line) is not None
 
 
 def _is_row(fields):

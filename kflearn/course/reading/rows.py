@@ -1,19 +1,22 @@
 """From a text to a table: by pandas where the text is plain, else line by line, with a sentence for each odd line."""
 
 import io
+import re
 import warnings
 
 import numpy as np
 
 from .faults import RecordingError
 from .layout import LOOKED_AT, fields_of, is_comment, layout_of
-from .table import GAPS, Table
+from .table import GAPS, Table, named
 
+ISO = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d.*)?$")
+DAYS = (("o", "now"), ("o", "oday"), ("O", "NOW"), ("O", "ODAY"))  # pandas takes them for dates
 BLANK = " ;,\t|"
 GAP_WORDS = sorted(GAPS - {""} | {word.upper() for word in GAPS} | {"NaN", "NaT", "None", "Null", "Na"})
 
 
-def quick_table(text, options, path=None):
+def quick_table(text, options, path=None, raw=None):
     """A table whose texts may have lost their exact form, or None where the text is not plain enough for pandas.
 
     Parameters
@@ -22,30 +25,56 @@ def quick_table(text, options, path=None):
     options : Options
     path : Path, optional
         Of a file in UTF-8 that holds this text: read from there, pandas is faster.
+    raw : bytes, optional
+        What stands in that file.
     """
     import pandas as pd
 
-    if any(mark in text for mark in '"#\0') or text.count("\r") != text.count("\r\n") or options.separator == " ":
+    odd = any(mark in text for mark in '"#\0') or ("\r" in text and text.count("\r") != text.count("\r\n"))
+    if odd or options.separator == " ":
         return None
     layout = layout_of(_first_lines(text), options)
-    width, rows = len(layout.titles), text.count("\n") + (not text.endswith("\n")) - layout.first + 1
-    clocks = set() if options.time_format is None and len(options.clocks) < 2 else set(options.clocks)
-    kept = {j: str for j, title in enumerate(layout.titles) if clocks & {title, title.split(" [")[0].split(" (")[0]}}
-    settings = dict(sep=layout.separator, header=None, names=range(width), skiprows=layout.first - 1, dtype=kept)
-    settings |= dict(index_col=False, na_values=GAP_WORDS, keep_default_na=False)
-    settings |= dict(decimal=_decimal(text, layout, options), encoding="utf-8-sig")
+    if _names_a_day(text):
+        return None
+    raw = text.encode() if raw is None else raw
+    width, signs = len(layout.titles), np.frombuffer(raw, np.uint8)
+    rows = np.count_nonzero(signs == ord("\n")) + (not text.endswith("\n")) - layout.first + 1
+    between = np.count_nonzero(signs == ord(layout.separator)) if ord(layout.separator) < 128 else -1
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            frame = pd.read_csv(path or io.BytesIO(text.encode()), na_filter=True, **settings)
+            frame = pd.read_csv(path or io.BytesIO(raw), **_settings(text, layout, options))
     except Exception:  # whatever it is, reading line by line says it better
         return None
-    whole = text.count(layout.separator) - _before(text, layout) == rows * (width - 1)
     columns = [frame[j] for j in range(width)]
-    if not whole or len(frame) != rows or any(c.dtype.kind == "f" and np.isinf(c).any() for c in columns):
+    whole = between - _before(text, layout) == rows * (width - 1) and len(frame) == rows
+    if not whole or any(c.dtype.kind == "f" and not np.isfinite([c.min(), c.max()]).all() for c in columns if c.size):
         return None
     lines = np.arange(layout.first, layout.first + rows)
     return Table(columns, layout.titles, lines, layout.top, layout.separator, exact=False, units_row=layout.units)
+
+
+def _names_a_day(text):
+    """Does "now" or "today" stand in it? In a column of dates pandas would take it for one."""
+    return any((text.find(sign, 4000) >= 0 and day in text) or day in text[:4000] for sign, day in DAYS)
+
+
+def _settings(text, layout, options):
+    """What pandas is told: nothing that it would have to guess, and the time stamps as dates if they begin as such."""
+    width = len(layout.titles)
+    settings = dict(sep=layout.separator, header=None, names=range(width), skiprows=layout.first - 1, index_col=False)
+    settings |= dict(na_values=GAP_WORDS, keep_default_na=False, encoding="utf-8-sig")
+    settings["decimal"] = _decimal(text, layout, options)
+    names = [named(title)[0] for title in layout.titles]
+    clocks = [k for k in range(width) if {names[k], layout.titles[k]} & set(options.clocks)]
+    if options.time_format is not None or len(options.clocks) > 1:
+        settings["dtype"] = dict.fromkeys(clocks, str)
+    else:
+        first = next(line for n, line in _first_lines(text) if n >= layout.first)
+        (j,) = clocks if len(clocks) == 1 else (0,)
+        if ISO.match((fields_of(first, layout.separator) or [""])[j : j + 1][0]):
+            settings |= dict(parse_dates=[j], date_format="ISO8601")
+    return settings
 
 
 def _first_lines(text):

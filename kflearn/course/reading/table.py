@@ -67,7 +67,7 @@ class Table:
         """A column as stripped texts, "" for a gap; a list of str."""
         column = self.columns[j]
         if column.dtype.kind in "iub":
-            return [str(each) for each in column.tolist()]
+            return [str(each).lower() for each in column.tolist()]
         if column.dtype.kind == "f":
             return ["" if each != each else repr(each).removesuffix(".0") for each in column.tolist()]
         return ["" if each is None or each != each else str(each).strip() for each in column.tolist()]

@@ -45,7 +45,8 @@ def resolution(there) -> float:
     steps = np.diff(np.unique(there))
     if not steps.size:
         return 0.0
-    step = float(f"{steps.min():.6g}")
-    counts = (there - there.min()) / step if step > 0 else np.array([np.inf])
-    fine = np.isfinite(counts).all() and counts.max() < 1e7
-    return step if fine and (abs(counts - np.round(counts)) < 0.01).all() else 0.0
+    for step in (float(f"{steps.min():.6g}"), *(10.0**n for n in range(3, -7, -1))):
+        counts = (there - there.min()) / step if step > 0 else np.array([np.inf])
+        if 1 <= counts.max() < 1e6 and step < 1.01 * steps.min() and (abs(counts - np.round(counts)) < 0.01).all():
+            return step
+    return 0.0

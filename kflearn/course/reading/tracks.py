@@ -85,7 +85,7 @@ def _sentences(text, checksum, faults):
         if at < 0 or line[at + 3 : at + 6] not in ("RMC", "GGA"):
             continue
         try:
-            said = pynmea2.parse(line[at:].strip(), check=checksum)
+            said = pynmea2.parse(line[at:].strip() if checksum else line[at:].partition("*")[0], check=checksum)
             day = getattr(said, "datestamp", None) or day
             if day is None or said.timestamp is None:
                 continue
