@@ -97,7 +97,7 @@ def read(path, time=None, columns=None, time_unit=None, encoding="utf-8-sig", **
         And nothing else, when the file cannot be read or something in it is wrong.
     """
     settings = dict(time=time, columns=columns, time_unit=time_unit, **options)
-    if isinstance(path, (list, tuple)) and path:
+    if isinstance(path, (list, tuple)) and path and not any(isinstance(each, (list, tuple)) for each in path):
         return merge(*(read(each, encoding=encoding, **settings) for each in path))
     told = Options.of(settings)
     if frames.is_frame(path):
@@ -115,6 +115,8 @@ def read(path, time=None, columns=None, time_unit=None, encoding="utf-8-sig", **
 
 def _decoded(raw, encoding):
     try:
+        if encoding == "utf-8-sig":  # Python's own takes its time
+            return raw.removeprefix(b"\xef\xbb\xbf").decode("utf-8")
         return raw.decode(encoding)
     except UnicodeError as error:
         line = raw[: getattr(error, "start", 0)].count(b"\n") + 1

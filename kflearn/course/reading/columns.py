@@ -23,10 +23,8 @@ class Numbers:
         if self.thousands is not None:
             text = text.replace(self.thousands, "")
         if not NUMBER.fullmatch(text):
-            if THOUSANDS.fullmatch(text):
-                raise ValueError(
-                    f"has separators of thousands: thousands={THOUSANDS.fullmatch(text)[1][0]!r} takes them out"
-                )
+            if found := THOUSANDS.fullmatch(text):
+                raise ValueError(f"has separators of thousands: thousands={found[1][0]!r} takes them out")
             raise ValueError("is no number")
         mark = next((mark for mark in ".," if mark in text), None)
         if mark == "," == self.separator:

@@ -22,7 +22,7 @@ def ordered(table, clock, options):
         seconds = seconds + np.concatenate([[0], np.cumsum(steps < 0)]) * options.wraps * clock.tick
         clock.notes.append(f"the counter began again {int((steps < 0).sum())} times, after {options.wraps:.15g}")
         clock.seconds = seconds
-    if good.all() and len(seconds) > 2 and clock.dated and (np.diff(seconds) < 0).all():
+    if clock.dated and len(seconds) > 2 and seconds[1] < seconds[0] and (np.diff(seconds) < 0).all():
         clock.notes.append("the newest row came first: turned round")
         return turned(table, clock, np.arange(len(seconds))[::-1])
     if options.sort and good.all() and (np.diff(seconds) < 0).any():
@@ -88,6 +88,8 @@ def faults_of(table, clock, options):
 def _late(table, clock, options, good):
     """The stamps that are not later than the newest before them."""
     faults, lines, seconds = [], table.lines[good], clock.seconds[good]
+    if (np.diff(seconds) > 0).all():
+        return faults
     newest = np.maximum.accumulate(seconds)
     late = np.flatnonzero(seconds[1:] <= newest[:-1]) + 1
     if options.equal != "refuse":
@@ -184,6 +186,8 @@ def put_forward(stamps, seconds) -> list[int]:
     if len(stamps) < 3:
         return []
     steps = np.diff(seconds)
+    if steps.max() <= 3600:
+        return []
     usual = float(np.median(steps))
     near = min(2.5 * usual, 1800)
     late = np.flatnonzero((steps > 3600) & (abs(steps - 3600 - usual) <= near)) + 1

@@ -28,24 +28,28 @@ def quick_table(text, options, path=None, raw=None):
     raw : bytes, optional
         What stands in that file.
     """
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            return _by_pandas(text, options, path, raw)
+    except Exception:  # whatever it is, reading line by line says it better
+        return None
+
+
+def _by_pandas(text, options, path, raw):
     import pandas as pd
 
     odd = any(mark in text for mark in '"#\0') or ("\r" in text and text.count("\r") != text.count("\r\n"))
     if odd or options.separator == " ":
         return None
     layout = layout_of(_first_lines(text), options)
-    if _names_a_day(text):
+    settings = _settings(text, layout, options)
+    if "parse_dates" in settings and _names_a_day(text):
         return None
     raw = text.encode() if raw is None else raw
-    width, signs = len(layout.titles), np.frombuffer(raw, np.uint8)
-    rows = np.count_nonzero(signs == ord("\n")) + (not text.endswith("\n")) - layout.first + 1
-    between = np.count_nonzero(signs == ord(layout.separator)) if ord(layout.separator) < 128 else -1
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            frame = pd.read_csv(path or io.BytesIO(raw), **_settings(text, layout, options))
-    except Exception:  # whatever it is, reading line by line says it better
-        return None
+    width, (ends, between) = len(layout.titles), _counts(raw, "\n", layout.separator)
+    rows = ends + (not text.endswith("\n")) - layout.first + 1
+    frame = pd.read_csv(path or io.BytesIO(raw), **settings)
     columns = [frame[j] for j in range(width)]
     whole = between - _before(text, layout) == rows * (width - 1) and len(frame) == rows
     if not whole or any(c.dtype.kind == "f" and not np.isfinite([c.min(), c.max()]).all() for c in columns if c.size):
@@ -57,6 +61,13 @@ def quick_table(text, options, path=None, raw=None):
 def _names_a_day(text):
     """Does "now" or "today" stand in it? In a column of dates pandas would take it for one."""
     return any((text.find(sign, 4000) >= 0 and day in text) or day in text[:4000] for sign, day in DAYS)
+
+
+def _counts(raw, *marks):
+    """How often each sign stands in a text of bytes, a piece at a time."""
+    signs, piece = np.frombuffer(raw, np.uint8), 2**18
+    pieces = [signs[k : k + piece] for k in range(0, signs.size, piece)]
+    return [sum(int(np.count_nonzero(part == ord(mark))) for part in pieces) for mark in marks]
 
 
 def _settings(text, layout, options):

@@ -60,7 +60,9 @@ def nmea(text, options) -> Table:
     """Positions of RMC and GGA sentences, one row for each time; without a fix a gap."""
     import pandas as pd
 
-    rows, lines, faults = {}, {}, []
+    rows: dict = {}
+    lines: dict = {}
+    faults: list = []
     for n, stamp, said in _sentences(text, bool(options.checksum), faults):
         lines.setdefault(stamp, n)
         rows.setdefault(stamp, {}).update(said)
