@@ -28,7 +28,7 @@ from pathlib import Path
 
 from .reading import clock, frames, order, rows, shapes, tracks
 from .reading import columns as judge
-from .reading.faults import RecordingError, short
+from .reading.faults import RecordingError, needs, short
 from .reading.merged import merge
 from .reading.options import Options
 from .reading.recording import Recording, Steps
@@ -100,6 +100,7 @@ def read(path, time=None, columns=None, time_unit=None, encoding="utf-8-sig", **
     if isinstance(path, (list, tuple)) and path and not any(isinstance(each, (list, tuple)) for each in path):
         return merge(*(read(each, encoding=encoding, **settings) for each in path))
     told = Options.of(settings)
+    needs("pandas", "reading a table")
     if frames.is_frame(path):
         return _recording(frames.table_of(path), told, [])
     try:
@@ -130,6 +131,7 @@ def parse(text, time=None, columns=None, time_unit=None, **options) -> Recording
     """A recording from a text that holds the whole table; arguments and errors as in `read`."""
     if not isinstance(text, str):
         raise RecordingError((None, f"text must be a text, got {short(text)}"))
+    needs("pandas", "reading a table")
     return _parsed(text, Options.of(dict(time=time, columns=columns, time_unit=time_unit, **options)))
 
 

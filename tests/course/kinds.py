@@ -75,7 +75,7 @@ READ = [
 ASKED = [
     ("two rows in a millisecond",
      "t,x\n2026-04-01 10:00:00.412,1\n2026-04-01 10:00:00.443,2\n2026-04-01 10:00:00.443,4\n", "t",
-     "line 4: the time stamp '2026-04-01 10:00:00.443' repeats that of line 3: equal='keep', 'merge' or 'first'",
+     "line 4: the time stamp '2026-04-01 10:00:00.443' repeats that of line 3: equal='keep' or 'merge'",
      dict(equal="merge"), ([0, 0.031], {"x": [1, 3]})),
     ("whole seconds at 2 Hz", "t [s],x\n5,1\n5,2\n6,3\n6,4\n", "t", "repeats that of line 2: equal='keep'",
      dict(equal="keep"), ([0, 0, 1, 1], {"x": [1, 2, 3, 4]})),

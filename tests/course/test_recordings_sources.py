@@ -1,5 +1,6 @@
 """What is read besides tables of text: DataFrames, dicts, GPX, NMEA, several files; what a recording says of itself."""
 
+import contextlib
 import pickle
 import sys
 
@@ -65,6 +66,13 @@ def test_dicts_of_arrays():
 
 
 def test_frames_of_another_library_come_by_narwhals():
+    with contextlib.suppress(ImportError):  # not among the course's packages
+        import polars
+
+        frame = polars.DataFrame({"when": list(pd.date_range("2026-03-01", periods=2)), "x [m]": [1.5, None]})
+        r = recordings.read(frame, time="when")
+        assert r.time[1] == 86400 and r["x"][0] == 1.5 and np.isnan(r["x"][1])
+
     class Table:
         columns = ("t", "x")
 
@@ -101,12 +109,12 @@ def test_nmea(tmp_path):
     assert recordings.read(_file(tmp_path, wrong), checksum=False)["course"][1] == 84.5
 
 
-@pytest.mark.parametrize("package", ["gpxpy", "pynmea2", "pymap3d"])
+@pytest.mark.parametrize("package", ["gpxpy", "pynmea2", "pymap3d", "pandas"])
 def test_a_package_that_is_not_there_is_named(package, tmp_path, monkeypatch):
     r = recordings.read(_file(tmp_path, GPX))
     monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(RecordingError, match=f"needs the package {package}: pip install {package}"):
-        recordings.read(_file(tmp_path, GPX if package == "gpxpy" else NMEA))
+        recordings.read(_file(tmp_path, NMEA if package == "pynmea2" else GPX))
         r.in_metres()
 
 

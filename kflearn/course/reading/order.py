@@ -122,7 +122,7 @@ def _help(table, clock, options, good, k, same):
     split = _column_of_objects(table, clock)
     if split:
         return split
-    return ": equal='keep', 'merge' or 'first'"
+    return ": equal='keep' or 'merge'"
 
 
 def _size(clock, good, k):
