@@ -128,14 +128,15 @@ def _numbers(texts, separator, options):
 def _numeric(stamps, scale, name, quoted, bad=None):
     """Integers are subtracted as integers, and divided once."""
     bad = dict(bad or {})
-    good = np.array([k for k in range(len(stamps)) if k not in bad]) if bad else np.arange(len(stamps))
+    good = np.array([k for k in range(len(stamps)) if k not in bad]) if bad else range(len(stamps))
     start = stamps[good[0]] if len(good) else 0
     with np.errstate(over="ignore"):
         apart = stamps.astype(np.int64) - np.int64(start) if stamps.dtype.kind in "iu" else stamps - start
         seconds = apart * float(scale) if scale >= 1 else apart / float(round(1 / scale))
     if stamps.dtype.kind in "iu" and len(good) and stamps.astype(float).max() - stamps.astype(float).min() > 9e18:
         seconds = (stamps.astype(float) - float(start)) * scale
-    for k in np.flatnonzero(~(abs(seconds) < LATEST)):
+    near = seconds.size and seconds.min() > -LATEST and seconds.max() < LATEST  # NaN is not
+    for k in () if near else np.flatnonzero(~(abs(seconds) < LATEST)):
         bad.setdefault(int(k), "is too far from the first")
     for k in bad:
         seconds[k] = np.nan
