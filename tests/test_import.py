@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-HEAVY = ["matplotlib", "ipywidgets", "scipy", "filterpy", "IPython", "PIL", "pandas"]
+HEAVY = ["matplotlib", "ipywidgets", "scipy", "filterpy", "IPython", "PIL", "pandas", "narwhals", "gpxpy"]
 
 
 def fresh(*options, code):

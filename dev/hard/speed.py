@@ -3,11 +3,20 @@
 The measurements are those of `make bench`, which also times the tests and writes BENCHMARKS.md.
 """
 
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import perf_counter
+
+import numpy as np
+import pandas as pd
+
 from dev.bench import filters, footprint, playground
 from dev.hard.line import Line
+from kflearn import recordings
 
 FEWER = ("voltmeter", "EKF")  # races of a quick run
 IMPORT = 1.0  # kflearn's own share, in times of NumPy's
+READING = 1.5  # times pandas' own time for the same table
 KERNEL = 800  # MB; the class server gives each process 2 GB of data, of which not all is in memory
 
 
@@ -18,6 +27,7 @@ def lines(quick):
     if not quick:
         yield from pictures(playground.race())
     yield import_line()
+    yield reading(5 if quick else 15)
     yield memory(["05"] if quick else None)
 
 
@@ -47,6 +57,27 @@ def import_line():
     share = (ours - numpy) / numpy
     words = f"{1e3 * (ours - numpy):.0f} ms, {share:.2f} of NumPy's"
     return Line("import kflearn, after NumPy", words, f"< {IMPORT:g} of NumPy's", share < IMPORT)
+
+
+def reading(times, rows=1_000_000):
+    """A million rows of a time and three columns, beside pandas alone; the quickest of several."""
+    table = np.random.default_rng(0).normal(size=(rows, 3)).round(4)
+    frame = pd.DataFrame(table, columns=["x", "y", "z"]).set_axis(np.arange(rows) / 100)
+    with TemporaryDirectory() as folder:
+        path = Path(folder, "big.csv")
+        frame.to_csv(path, index_label="t [s]")
+        seconds = [[_seconds(f, path) for f in (pd.read_csv, recordings.read)] for _ in range(times)]
+    pandas, ours = np.min(seconds, axis=0)
+    words = f"{ours / pandas:.2f} of pandas' {pandas:.2f} s"
+    return Line(
+        f"recordings.read, {rows:,} rows of 4 columns", words, f"≤ {READING:g} of pandas'", ours <= READING * pandas
+    )
+
+
+def _seconds(function, path):
+    begin = perf_counter()
+    function(path)
+    return perf_counter() - begin
 
 
 def memory(lessons):

@@ -15,9 +15,7 @@ DAMAGE = {
     "no header": ("# note\n0,1\n1,2\n2,3\n", {}, 2, "the names of the columns are missing"),
     "no header, dates": ("2026-05-03;1,5\n2026-05-04;2\n", {}, 1, "the names of the columns are missing"),
     "header in a comment": ("# t,x\n0,1\n1,2\n", {}, 2, "what follows a # is a comment"),
-    "nameless": ("t [s],,x\n0,1,2\n1,1,2\n", {}, 1, "column 2 has no name"),
-    "only a unit": ("t [s],[m]\n0,1\n1,2\n", {}, 1, "column 2 has no name"),
-    "named twice": ("t [s],x [m],x [km]\n0,1,2\n1,1,2\n", {}, 1, "two columns have the name 'x'"),
+    "named twice": ("t [s],x,x\n0,1,2\n1,1,2\n", dict(columns=["x"]), 1, "two columns have the name 'x': ask for"),
     "one column": ("t [s],\n0,\n1,\n", {}, 1, "a column or more beside that of the time stamps"),
     "no rows": ("t [s],x\n", {}, 1, "two rows or more below its header, found 0"),
     "one row": ("t [s],x\n0,1\n\n", {}, 1, "two rows or more below its header, found 1"),
@@ -62,11 +60,11 @@ DAMAGE = {
     "odd date": ("t;x\n2026-05-03;1\n2026-02-30;2\n2026-05-04;2\n", {}, 3, "'2026-02-30' is no date as in ISO 8601"),
     "other dates": ("t;x\n2026-05-03;1\n4.5.2026;2\n2026-05-05;2\n", {}, 3, "'4.5.2026' is no date as in ISO 8601"),
     "zone lost": ("t;x\n2026-05-03T00:00Z;1\n2026-05-03T01:00;2\n2026-05-03T02:00Z;3\n", {}, 3, "has a time zone"),
+    "words only": ("t [s],from\n0,gps\n1,\n2,gps\n", {}, 1, "'from' holds words, such as 'gps'"),
+    "silent": ("t [s],x,y\n0,1,\n1,2,NA\n", dict(columns=["x", "y"]), 1, "column 'y' holds no reading at all"),
     "clock put back": ("t;x\n2026-10-25T02:59:59;1\n2026-10-25T02:00:00;2\n", {}, 3, "lies before that of line 2"),
     "clock put back, Europe": ("t;x\n2026-10-25T02:59:59;1\n2026-10-25T02:00:00;2\n", {}, 3, "did the clocks change"),
     "clock put back, America": ("t;x\n2026-11-01T01:59:59;1\n2026-11-01T01:00:00;2\n", {}, 3, "did the clocks change"),
-    "words": ("t [s],x,from\n0,1,gps\n1,2,\n2,3,gps\n", {}, 1, "'from' holds words, such as 'gps': name the others"),
-    "silent": ("t [s],x,y\n0,1,\n1,2,NA\n", {}, 1, "column 'y' holds no reading at all"),
 }  # fmt: skip
 
 
@@ -114,21 +112,33 @@ def test_seconds_and_hours_across_the_change():
 
 def test_only_dates_of_another_kind():
     error = error_of("t;x\n3.5.2026;1\n4.5.2026;2\n")
-    assert error.lines == (2, 3) and "like 2026-05-31 14:05:09" in str(error)
+    assert error.lines == (2,) and "dayfirst=True or dayfirst=False" in str(error)
+    for dayfirst, month in ((True, 5), (False, 3)):
+        assert parse("t;x\n3.5.2026;1\n4.5.2026;2\n", dayfirst=dayfirst).start.month == month
 
 
 def test_all_faults_are_told_in_the_order_of_the_lines():
     error = error_of("t [s],x,y\n0,a,b\n1,2\n0,3,4\n5,1,c\n,1,1\n7,d,1\n")
     assert error.lines == (2, 2, 3, 4, 5, 6, 7)
     assert str(error).splitlines()[:2] == [
-        "line 2: column 'x': 'a' is no number",
-        "line 2: column 'y': 'b' is no number",
+        "line 2: column 'x': 'a' is no number (no reading? missing=['a'])",
+        "line 2: column 'y': 'b' is no number (no reading? missing=['b'])",
     ]
     assert len(str(error).splitlines()) == 6 and str(error).endswith("… and 2 more")
 
 
 def test_a_fault_in_a_column_that_is_not_read_does_not_matter():
     assert_array_equal(parse("t [s],x,note\n0,1,a\n1,2,b\n", columns=["x"]).values, [[1], [2]])
+
+
+def test_columns_that_nobody_asked_for_do_not_matter():
+    r = parse("t [s],x,from,y\n0,1,gps,\n1,2,,NA\n2,3,gps,\n")
+    assert r.names == ("x",) and r.notes == ("not read: from (words, such as 'gps'), y (no reading)",)
+    assert r.notes[0] in str(r)
+    assert parse("t [s],,x\n0,1,2\n1,1,2\n").names == ("column 2", "x")
+    assert parse("t [s],[m]\n0,1\n1,2\n").names == ("[m]",)
+    both = parse("t [s],x [m],x [km]\n0,1,2\n1,1,2\n")
+    assert both.names == ("x [m]", "x [km]") and both.units == ("m", "km")
 
 
 @pytest.mark.parametrize("text", [None, b"t [s],x", 3, ["t [s],x"]])

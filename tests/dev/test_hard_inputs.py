@@ -29,7 +29,7 @@ def test_it_sees_what_raises_and_what_overwrites(monkeypatch):
     def check(self, answer=...):
         raise LookupError
 
-    def parse(text, time=None, columns=None, time_unit=None):
+    def parse(text, time=None, columns=None, time_unit=None, **options):
         if isinstance(columns, list):
             columns.append("t")
         raise recordings.RecordingError((None, "no"))

@@ -1,6 +1,7 @@
 """The speed part of `make check-hard` runs, and can say no."""
 
 from pathlib import Path
+from time import sleep
 
 import pytest
 
@@ -43,3 +44,10 @@ def test_a_hungry_lesson_is_no(monkeypatch):
     line = speed.memory(None)
     assert not line.ok
     assert line.measured == "1093 MB, 22-adaptive"
+
+
+def test_a_slow_reader_is_no(monkeypatch):
+    monkeypatch.setattr(speed.recordings, "read", lambda path: sleep(0.5))
+    assert not speed.reading(1, rows=100).ok
+    monkeypatch.setattr(speed.recordings, "read", lambda path: None)
+    assert speed.reading(1, rows=100).ok

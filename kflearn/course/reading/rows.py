@@ -1,0 +1,157 @@
+"""From a text to a table: by pandas where the text is plain, else line by line, with a sentence for each odd line."""
+
+import io
+import re
+import warnings
+
+import numpy as np
+
+from .faults import RecordingError
+from .layout import LOOKED_AT, fields_of, is_comment, layout_of
+from .table import GAPS, Table, named
+
+ISO = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d.*)?$")
+DAYS = (("o", "now"), ("o", "oday"), ("O", "NOW"), ("O", "ODAY"))  # pandas takes them for dates
+BLANK = " ;,\t|"
+GAP_WORDS = sorted(GAPS - {""} | {word.upper() for word in GAPS} | {"NaN", "NaT", "None", "Null", "Na"})
+
+
+def quick_table(text, options, path=None, raw=None):
+    """A table whose texts may have lost their exact form, or None where the text is not plain enough for pandas.
+
+    Parameters
+    ----------
+    text : str
+    options : Options
+    path : Path, optional
+        Of a file in UTF-8 that holds this text: read from there, pandas is faster.
+    raw : bytes, optional
+        What stands in that file.
+    """
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            return _by_pandas(text, options, path, raw)
+    except Exception:  # whatever it is, reading line by line says it better
+        return None
+
+
+def _by_pandas(text, options, path, raw):
+    import pandas as pd
+
+    odd = any(mark in text for mark in '"#\0') or ("\r" in text and text.count("\r") != text.count("\r\n"))
+    if odd or options.separator == " ":
+        return None
+    layout = layout_of(_first_lines(text), options)
+    settings = _settings(text, layout, options)
+    if "parse_dates" in settings and _names_a_day(text):
+        return None
+    raw = text.encode() if raw is None else raw
+    width, (ends, between) = len(layout.titles), _counts(raw, "\n", layout.separator)
+    rows = ends + (not text.endswith("\n")) - layout.first + 1
+    frame = pd.read_csv(path or io.BytesIO(raw), **settings)
+    columns = [frame[j] for j in range(width)]
+    whole = between - _before(text, layout) == rows * (width - 1) and len(frame) == rows
+    if not whole or any(c.dtype.kind == "f" and not np.isfinite([c.min(), c.max()]).all() for c in columns if c.size):
+        return None
+    lines = np.arange(layout.first, layout.first + rows)
+    return Table(columns, layout.titles, lines, layout.top, layout.separator, exact=False, units_row=layout.units)
+
+
+def _names_a_day(text):
+    """Does "now" or "today" stand in it? In a column of dates pandas would take it for one."""
+    return any((text.find(sign, 4000) >= 0 and day in text) or day in text[:4000] for sign, day in DAYS)
+
+
+def _counts(raw, *marks):
+    """How often each sign stands in a text of bytes, a piece at a time."""
+    signs, piece = np.frombuffer(raw, np.uint8), 2**18
+    pieces = [signs[k : k + piece] for k in range(0, signs.size, piece)]
+    return [sum(int(np.count_nonzero(part == ord(mark))) for part in pieces) for mark in marks]
+
+
+def _settings(text, layout, options):
+    """What pandas is told: nothing that it would have to guess, and the time stamps as dates if they begin as such."""
+    width = len(layout.titles)
+    settings = dict(sep=layout.separator, header=None, names=range(width), skiprows=layout.first - 1, index_col=False)
+    settings |= dict(na_values=GAP_WORDS, keep_default_na=False, encoding="utf-8-sig")
+    settings["decimal"] = _decimal(text, layout, options)
+    names = [named(title)[0] for title in layout.titles]
+    clocks = [k for k in range(width) if {names[k], layout.titles[k]} & set(options.clocks)]
+    if options.time_format is not None or len(options.clocks) > 1:
+        settings["dtype"] = dict.fromkeys(clocks, str)
+    else:
+        first = next(line for n, line in _first_lines(text) if n >= layout.first)
+        (j,) = clocks if len(clocks) == 1 else (0,)
+        if ISO.match((fields_of(first, layout.separator) or [""])[j : j + 1][0]):
+            settings |= dict(parse_dates=[j], date_format="ISO8601")
+    return settings
+
+
+def _first_lines(text):
+    """The first lines that hold something, with their numbers."""
+    start = io.StringIO(text[: 2000 * LOOKED_AT].removeprefix("\ufeff"), newline=None)
+    return _filled(start.read().split("\n")[:LOOKED_AT])
+
+
+def _filled(lines):
+    lines = [(n, line) for n, line in enumerate(lines, 1) if line.strip(BLANK)]
+    if all(is_comment(line) for _, line in lines):
+        raise RecordingError((None, "there is nothing in it, or nothing but empty lines and comments"))
+    return lines
+
+
+def _before(text, layout):
+    """How often the separator stands above the first row."""
+    at = 0
+    for _ in range(layout.first - 1):
+        at = text.index("\n", at) + 1 if "\n" in text[at:] else len(text)
+    return text.count(layout.separator, 0, at)
+
+
+def _decimal(text, layout, options):
+    """The mark of decimals in the first rows."""
+    if options.decimal:
+        return options.decimal
+    marks = "".join(c for _, line in _first_lines(text)[-30:] for c in line if c in ",.")
+    return "," if layout.separator != "," and marks.count(",") > marks.count(".") else "."
+
+
+def exact_table(text, options, faults) -> Table:
+    """A table of texts as they are written; the odd lines are left out and told in faults."""
+    import pandas as pd
+
+    text = io.StringIO(text.removeprefix("\ufeff"), newline=None).read()
+    lines = _filled(text.split("\n"))
+    layout = layout_of(lines[:LOOKED_AT], options)
+    width, rows, numbers = len(layout.titles), [], []
+    for n, line in lines:
+        if n >= layout.first and not is_comment(line):
+            fields = fields_of(line, layout.separator)
+            if _is_whole(n, fields, width, layout, faults):
+                rows.append(fields[:width])
+                numbers.append(n)
+    columns = [pd.Series([row[j] for row in rows], dtype=object) for j in range(width)]
+    lines = np.array(numbers, dtype=int)
+    return Table(columns, layout.titles, lines, layout.top, layout.separator, units_row=layout.units)
+
+
+def _is_whole(n, fields, width, layout, faults):
+    """Has a row as many fields as the header? Empty ones at the end do not count."""
+    if fields is None:
+        faults.append((n, "its quotation marks do not match, or a field is far too long"))
+        return False
+    surplus = any(fields[width:])
+    if surplus or len(fields) < width:
+        commas = layout.separator == "," and surplus
+        hint = (
+            "(decimals with a comma need semicolons between the columns)"
+            if commas
+            else "(if it was cut off, delete it)"
+        )
+        faults.append((n, f"found {len(fields)} fields, but the header names {width} columns {hint}"))
+        return False
+    if tuple(fields[:width]) == layout.titles:
+        faults.append((n, "the header stands here once more: keep one recording a file, then read([file, file])"))
+        return False
+    return True
