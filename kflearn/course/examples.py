@@ -21,9 +21,11 @@ Examples
 from dataclasses import dataclass, fields
 from pathlib import Path
 
+import numpy as np
+
 from .recordings import Recording, RecordingError, read
 
-__all__ = ["NAMES", "Example", "load"]
+__all__ = ["NAMES", "Example", "how_well", "load"]
 
 NAMES = ("light", "nile", "co2", "seattle", "spring", "imu")
 
@@ -81,3 +83,22 @@ def _said(path):
     lines = path.read_text(encoding="utf-8").splitlines()
     pairs = (line[2:].partition(": ") for line in lines if line.startswith("# "))
     return {key: value for key, colon, value in pairs if colon}
+
+
+def how_well() -> np.ndarray:
+    """The study of lesson 24: what `fit` finds in 10,000 random walks each with R = 1, for lengths T and true Q.
+
+    Returns
+    -------
+    ndarray
+        One row for each pair of T and Q, with named columns: T, Q, mean_Q, low_Q, median_Q, high_Q (quantiles 5, 50 and
+        95 %), share_zero, inside, inside_log, mean_R, low_R, median_R, high_R, inside_R; see dev/how_well.py.
+
+    Examples
+    --------
+    >>> from kflearn import examples
+    >>> first = examples.how_well()[0]
+    >>> print(f"T = {first['T']:.0f}, Q = {first['Q']:g}: Q = 0 is found in {first['share_zero']:.0%}")
+    T = 25, Q = 0: Q = 0 is found in 63%
+    """
+    return np.genfromtxt(Path(__file__).with_name("data") / "how_well.csv", delimiter=",", names=True)

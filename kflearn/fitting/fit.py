@@ -61,7 +61,7 @@ class Fit(Frozen):
         each = (
             f"{name} = 0, at its boundary"
             if self.at_boundary[name]
-            else f"{name} = {value:.5g} ± {self.standard_errors[name]:.2g}"
+            else f"{name} = {value:.5g} ± {self.standard_errors[name]:.4g}"
             for name, value in self.parameters.items()
         )
         reached = "the top was reached" if self.converged else "the top was NOT reached"
