@@ -27,7 +27,6 @@ MEASURES = {
     "sum of the sizes": (lambda L: abs(L).sum(), "You compare the sizes of the entries of the roots. What a reading makes smaller are the variances: compare the traces of L Lᵀ."),
     "sum of all entries": (lambda L: squared(L).sum(), "You compare the sums of all entries. That is the variance of the sum of the states, and a reading may leave it as it was: compare the traces."),
     "largest variance": (lambda L: np.diag(squared(L)).max(), "You compare the largest variance only. A reading may leave that as it was: compare all of them, as the trace does."),
-    "largest entry": (lambda L: squared(L).max(), "You compare the largest entry only. A reading may leave that as it was: compare all variances, as the trace does."),
 }  # fmt: skip
 
 
