@@ -93,7 +93,7 @@ def agreeing(refused, reading, width):
     return np.sum(abs(angle_difference(refused, reading)) <= width)
 
 
-GATES = [0.5, 1.3, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 3.5, 0.8, 1.1, 0.25, 0.45, 1.25]
+GATES = [0.5, 1.3, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 3.5, 0.8, 1.1, 0.25, 1.9, 1.25]
 
 
 def steps(rng, trial):
