@@ -69,7 +69,7 @@ def blind(function, exercise, close) -> str | None:
     for i, name in enumerate(exercise.parameters):
         told = [_moves(function, exercise._solve, case, i, close) for case in exercise.cases]
         if told.count(False) >= 3 and True not in told:
-            return f"The result does not depend on {name}: with other values in it, it stays the same."
+            return f"With other values of {name} the result stays the same: something else stands in its place, or it cancels."
     return None
 
 

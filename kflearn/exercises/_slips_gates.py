@@ -134,10 +134,6 @@ WRONG = {
             lambda a, P, Q, R: np.round((a**2 / 9 - P - R) / Q),
             "You round to the nearest step. If that is the one below, the gate is still too narrow: round up.",
         ),
-        "after 0": (
-            lambda a, P, Q, R: np.floor((a**2 / 9 - P - R) / Q) - 1,
-            "That is two steps too early: step 1 has one Q in S, and a part of a step counts as a whole one.",
-        ),
         "added": (
             lambda a, P, Q, R: np.ceil((a**2 / 9 + P + R) / Q),
             "The signs of P and R: they are in S = P + nQ + R, so less is left for nQ to grow.",
@@ -150,10 +146,6 @@ WRONG = {
             lambda a, P, Q, R: np.ceil(a**2 / 9 - P - R / Q),
             "Brackets are missing: all of away²/9 − P − R is divided by Q.",
         ),
-        "bracket around R": (
-            lambda a, P, Q, R: np.ceil((a**2 / 9 - (P - R)) / Q),
-            "The sign of R: S = P + nQ + R, so R is taken from away²/9, as P is.",
-        ),
         "always": (lambda a, P, Q, R: np.inf, "The gate does open: P grows by Q in each step, and S with it."),
     }
     | {
@@ -164,7 +156,7 @@ WRONG = {
             lambda a, P, Q, R, n=n: np.ceil((a**2 / 9 - P - R) / Q) + n,
             f"That is {abs(n)} {'step' if abs(n) == 1 else 'steps'} too {'late' if n > 0 else 'early'}: in step 1 there is one Q in S, in step n there are n.",
         )
-        for n in (-2, -1, 2)
+        for n in (-2, 2)
     },
     "agreeing": {
         "8 degrees": (
@@ -174,10 +166,6 @@ WRONG = {
         "modulo": (
             lambda old, z, w: np.sum((old - z) % 360 <= w),
             "`% 360` makes 357° of 3° to the left, so only readings on one side are counted. The short way round is between −180 and 180.",
-        ),
-        "modulo of the size": (
-            lambda old, z, w: np.sum(abs(old - z) % 360 <= w),
-            "`abs(…) % 360` leaves 357 as it is: between 358° and 1° there are 3°.",
         ),
         "one side, not wrapped": (
             lambda old, z, w: np.sum(old - z <= w),

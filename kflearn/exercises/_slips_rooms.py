@@ -101,15 +101,15 @@ WRONG = {
             lambda z, Q, R: started("z0", lambda Q, R: R, "rest", stop=1)(z, Q, R),
             "That is the estimate after the second reading. Does the `return` stand inside the loop? Then only one round is made.",
         ),
+        "very vague": (
+            lambda z, Q, R: started("z0", lambda *_: 1e6, "rest")(z, Q, R),
+            "You start with P = 10⁶, so that the first reading hardly counts. A single reading has the variance R.",
+        ),
         "last one left out": (
             lambda z, Q, R: started("z0", lambda Q, R: R, "rest")(z[:-1], Q, R),
             "The last reading is left out: `z[1:]` goes to the end, `z[1:-1]` does not.",
         ),
         "the mean": (lambda z, Q, R: (np.mean(z), np.var(z)), "Those are the mean of the readings and their variance. A filter weighs the newest most."),
-        "the mean, R/n": (
-            lambda z, Q, R: (np.mean(z), R / len(z)),
-            "Those are the mean of the readings and its variance, right for a room that never changes. Here Q says how far it moves.",
-        ),
         "last reading": (lambda z, Q, R: (z[-1], R), "That is the last reading alone. The readings before it tell something too."),
         "gain": (
             lambda z, Q, R: (lambda x, P: (x, P / R))(*started("z0", lambda Q, R: R, "rest")(z, Q, R)),
@@ -152,7 +152,7 @@ WRONG = {
         P={"R": "", "R²": "You start with R². R is a variance already: a single reading has the variance R.", "√R": "You start with √R. P is a variance: R.",
            "Q": "You start with Q, as published. A single reading has the variance R.", "Q + R": "You start with Q + R. When the first reading is made, nothing has moved yet.",
            "2R": "You start with 2R. A single reading has the variance R.", "R/2": "You start with R/2. A single reading has the variance R.", 0: "You start with P = 0, as if the first reading were exact."}
-        | {number: f"You start with P = {number:g}, whatever R is. A single reading has the variance R." for number in (0.01, 0.1, 0.25, 1.0, 10.0, 100.0, 500.0, 1000.0, 1e4, 1e5, 1e6, 1e9)},
+        | {number: f"You start with P = {number:g}, whatever R is. A single reading has the variance R." for number in (0.01, 0.1, 0.25, 1.0, 10.0, 100.0, 500.0, 1000.0, 1e4)},
         readings={"rest": "", "all": "The first reading is used in the loop as well. It is used up by the start: begin the loop at z[1].", "two": "The second reading is left out: the loop begins at z[1]."},
         gain={"R": "", "Q": "Below the line of the gain stands P + R; you have P + Q.", "σ": "The gain is made of variances, not of standard deviations."},
     ),

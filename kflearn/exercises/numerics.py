@@ -169,7 +169,7 @@ def orders_of_the_root(orders):
     return orders / 2
 
 
-def two_roots(rng, n, apart=0):
+def two_roots(rng, n, apart=0, turned=None):
     """Roots of a covariance before a reading and after it, triangular, with any signs; which comes first is chance.
 
     apart: the states are independent, and the last one is read (1), so that the others stay as they were, or the
@@ -187,7 +187,10 @@ def two_roots(rng, n, apart=0):
     S = seen @ seen + R
     after = before - np.outer(before @ seen, seen) / (S + np.sqrt(R * S))
     after = np.linalg.cholesky(after @ after.T) * rng.choice([-1.0, 1.0], n)
-    return (before, after) if rng.random() < 0.5 else (after, before)
+    return (before, after) if (rng.random() < 0.5 if turned is None else turned) else (after, before)
+
+
+APART = [(2, 1, 0), (2, 1, 1), (3, 2, 0), (3, 2, 1), (3, -1, 0), (3, -1, 1), (3, 3, 0), (3, 3, 1)]
 
 
 def smaller(first, second):
@@ -202,7 +205,7 @@ def smaller(first, second):
         "Root times transposed root, in this order: L Lᵀ.",
         "`P, other = one @ one.T, two @ two.T`, then `return P if np.trace(P) < np.trace(other) else other`",
     ],
-    inputs=in_turn(two_roots, 2, 3, (2, 1), 4, (3, 2), (3, -1), 1, (3, 3), (3, 1), (2, 2)),
+    inputs=in_turn(two_roots, 2, 3, *APART, 4, 1),
     wrong={
         "as published": (
             lambda one, two: one @ one.T,

@@ -93,14 +93,16 @@ def agreeing(refused, reading, width):
     return np.sum(abs(angle_difference(refused, reading)) <= width)
 
 
-GATES = [0.5, 1.3, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 1.9, 0.8, 1.1, 0.25, 0.45, 1.25]
+GATES = [0.5, 1.3, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 3.5, 0.8, 1.1, 0.25, 1.9, 1.25]
 
 
 def steps(rng, trial):
     """A belief, a reading inside the gate of 3σ, outside it, or outside only before the correction."""
     x = float(rng.choice([4, 120, 356]))
     P, Q, R = float(rng.integers(1, 25)), float(rng.integers(2, 14)), float(rng.integers(2, 40))
-    P, R = {12: (2.0, 40.0), 14: (24.0, 4.0)}.get(trial, (P, R))  # what is left after a correction: much, or little
+    P, R = {10: (1.0, 2.0), 12: (2.0, 40.0), 14: (24.0, 4.0)}.get(
+        trial, (P, R)
+    )  # what is left after a correction: much, or little
     away = 3 * GATES[trial] * rng.choice([-1, 1]) * np.sqrt(P + Q + R)
     return x, P, float(np.round((x + away) % 360, 1)), Q, R
 
