@@ -93,8 +93,12 @@ def _beside(given, right, at, verdict):
 
 def _in_a_row(answer, right):
     """A typed column, or a row in double brackets, as the row that is wanted."""
-    shape = (getattr(answer, "shape", None) or np.shape(answer)) if isinstance(answer, (list, np.ndarray)) else ()
-    return np.ravel(answer) if right.ndim == 1 and shape in ((len(right), 1), (1, len(right))) else answer
+    if right.ndim != 1 or not isinstance(answer, (list, np.ndarray)):
+        return answer
+    try:
+        return np.ravel(answer) if np.shape(answer) in ((right.size, 1), (1, right.size)) else answer
+    except ValueError:  # rows of unequal length
+        return answer
 
 
 def _numbers(answer, right):
