@@ -64,7 +64,7 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
         return "differs"
     at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
     direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
-    verdict = next((words for words, twin in _relatives(right) if _close(given, twin, rtol).all()), "")
+    verdict = next((words for words, twin in _relatives(given, right) if _close(given, twin, rtol).all()), "")
     if reveal:
         return f"{subject} is {_beside(given, right, at, verdict)}."
     if not verdict and by_hand and all(map(_is_rounded, given[~good], right[~good])):
@@ -108,8 +108,12 @@ def _beside(given, right, at, verdict):
 
 def _in_a_row(answer, right):
     """A typed column, or a row in double brackets, as the row that is wanted."""
-    shape = (getattr(answer, "shape", None) or np.shape(answer)) if isinstance(answer, (list, np.ndarray)) else ()
-    return np.ravel(answer) if right.ndim == 1 and shape in ((len(right), 1), (1, len(right))) else answer
+    if right.ndim != 1 or not isinstance(answer, (list, np.ndarray)):
+        return answer
+    try:
+        return np.ravel(answer) if np.shape(answer) in ((right.size, 1), (1, right.size)) else answer
+    except ValueError:  # rows of unequal length
+        return answer
 
 
 def _numbers(answer, right):
@@ -186,13 +190,16 @@ def is_whole(right):
     return isinstance(right, (int, float, np.number)) and float(right).is_integer()
 
 
-def _relatives(right):
+def _relatives(given, right):
     """Arrays that differ from the right one in a way which is easily named."""
     yield "has the opposite sign", -right
     yield "is the transpose of what it should be", right.T
-    for power in range(1, 10):
-        yield f"is {10**power} times too large", right * 10.0**power
-        yield f"is {10**power} times too small", right / 10.0**power
+    largest = np.argmax(np.abs(right)) if right.size else None
+    with np.errstate(all="ignore"):
+        ratio = abs(given.flat[largest] / right.flat[largest]) if given.size == right.size > 0 else 1
+        power = np.log10(ratio) if ratio > 0 else 0
+    if abs(power) < 9.5 and (power := round(float(power))):
+        yield f"is {10 ** abs(power)} times too {'large' if power > 0 else 'small'}", right * 10.0**power
 
 
 def chosen(answer, choices=frozenset()) -> frozenset:

@@ -76,7 +76,7 @@ MARKS = [
     Mark(
         "NEES / n",
         nees(),
-        0.8,
+        0.85,
         1.25,
         below="Your P is too large for your errors: compare Q, R and the correction of P with the text.",
         above="Your P is too small for your errors: compare Q, R and H with the text.",
@@ -166,5 +166,6 @@ FAILING = {
     "corrects first": lambda z, mean, cov: extended(z, mean, cov, first=False),
     "σ for R": lambda z, mean, cov: extended(z, mean, cov, R=np.sqrt(R)),
     "slope before the prediction": lambda z, mean, cov: extended(z, mean, cov, early="H"),
+    "Q twice": lambda z, mean, cov: extended(z, mean, cov, move=lambda x, P: predicted(x, P, 2 * Q)),
     "Q = 0": lambda z, mean, cov: extended(z, mean, cov, move=lambda x, P: predicted(x, P, 0 * Q)),
 }

@@ -5,11 +5,10 @@ Each known mistake is made in the course's own filter: a result equal to that, i
 
 import numpy as np
 
-from kflearn.exercises import _radar
 from kflearn.exercises._judge import pair
 from kflearn.exercises._radar import F, Q, converted, extended, predicted
 
-SEEN = 12  # steps in which a mistake is looked for first
+SEEN = 6  # steps in which a mistake is looked for first
 
 
 def same(answer, inputs, design, steps):
@@ -54,6 +53,15 @@ def predictions(answer, answers, recordings):
             "What you return for a step does not depend on the reading of that step, only on those before it: these are "
             "the predictions. Store x and P after the correction."
         )
+    return None
+
+
+def raw(answer, answers, recordings):
+    """The places that the readings mean."""
+    (z, *_), mean = recordings[0][0], pair(answers[0])[0]
+    places = z[:, 0] * np.array([np.cos(z[:, 1]), np.sin(z[:, 1])])
+    if np.allclose(mean[:, [0, 2]], places.T, rtol=1e-9):
+        return "Those are the raw readings, put into the plane. A filter weighs each of them against what it expects."
     return None
 
 
@@ -242,12 +250,8 @@ MISTAKES = [
         "Your filter uses none of the readings: x and P are predicted only.",
     ),
     (
-        _radar.raw,
-        "Those are the raw readings, put into the plane. A filter weighs each of them against what it expects.",
-    ),
-    (
         lambda *given: extended(*given, back=True),
         "The innovation has the wrong sign: it is the reading minus what is expected.",
     ),
 ]
-SIGNS = [known, predictions, growing, another_order, jumps]
+SIGNS = [known, raw, predictions, growing, another_order, jumps]

@@ -156,7 +156,7 @@ def leaving(stays, T):
     ),
 )
 def transition(stays, T):
-    """Π for modes that last `stays` seconds on average, with a step every T seconds and no favourite among the others."""
+    """Π for modes that last `stays` seconds on average, with a step every T seconds, a change only with a step and no favourite."""
     M = len(stays)
     leave = (T / stays)[:, None]
     return np.where(np.eye(M, dtype=bool), 1 - leave, leave / (M - 1))
