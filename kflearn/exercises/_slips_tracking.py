@@ -84,10 +84,6 @@ SLIPS["coast"] = {
         lambda x, P, F, push, Q: (F @ x + push, 1e4 * np.eye(len(x))),
         "The state is right. But you threw P away: the filter knows more than that. P grows from what it was, F P Fᵀ + Q.",
     ),
-    "Q inside": (
-        lambda x, P, F, push, Q: (F @ x + push, F @ (P + Q) @ F.T),
-        "The state is right. You added Q before the step, so F moves it too. Q comes in at the end: F P Fᵀ + Q.",
-    ),
 }
 SLIPS["first_velocity"] = {
     "R squared": (
@@ -97,10 +93,6 @@ SLIPS["first_velocity"] = {
     "roots": (
         lambda p, s, R, y: math.sqrt(s) * y / (math.sqrt(p) + math.sqrt(s) + math.sqrt(R)),
         "You took roots. Variances add, not standard deviations: no root of p, s or R.",
-    ),
-    "roots in the end": (
-        lambda p, s, R, y: math.sqrt(s / (p + s + R)) * y,
-        "You took the root of the gain. The gain itself multiplies the innovation.",
     ),
     "place and velocity squared": (
         lambda p, s, R, y: s**2 * y / (p**2 + s**2 + R**2),

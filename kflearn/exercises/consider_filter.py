@@ -145,11 +145,11 @@ def late_row(x, P, z, H, R, considered):
     return x + K @ (z - H @ x), keep @ P @ keep.T + K @ R @ K.T
 
 
-SIZES = cycle([(2, 2), (2, 2), (2, 2), (4, 1), (3, 2), (4, 2), (2, 1), (3, 1)])  # three alike: what fits at first only
+SIZES = cycle([(2, 2), (2, 2), (2, 2), (4, 3), (3, 2), (4, 2), (2, 1), (3, 1)])  # three alike: what fits at first only
 
 
 def blocks(rng):
-    """P of two to four states, their covariance C with one or two biases of covariance B, and how all of them move."""
+    """P of two to four states, their covariance C with one to three biases of covariance B, and how all of them move."""
     n, m = next(SIZES)
     root = rng.integers(-3, 4, (n + m, n + m)) / 2 + 2 * np.eye(n + m)
     whole, push = root @ root.T, rng.integers(1, 5, n) / 4
