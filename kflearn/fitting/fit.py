@@ -61,11 +61,11 @@ class Fit(Frozen):
         each = (
             f"{name} = 0, at its boundary"
             if self.at_boundary[name]
-            else f"{name} = {value:.5g} ± {self.standard_errors[name]:.4g}"
+            else f"{name} = {_short(value)} ± {_short(self.standard_errors[name])}"
             for name, value in self.parameters.items()
         )
-        reached = "the top was reached" if self.converged else "the top was NOT reached"
-        return f"Fit({'; '.join(each)}; log-likelihood {self.log_likelihood:.4f}; {reached})"
+        reached = "converged" if self.converged else "NOT converged"
+        return f"Fit({'; '.join(each)}; log-likelihood {self.log_likelihood:.2f}; {reached})"
 
 
 def fit(build, z, start, initial=None, u=None, *, as_is=()) -> Fit:
@@ -190,6 +190,11 @@ class _Series:
             return None
         u = None if self.u is None else self.u[start.steps :]
         return kalman_filter(start.model, self.z[0, start.steps :], start.belief, u)
+
+
+def _short(number):
+    """A number with three digits or more, in plain form where that is short."""
+    return f"{number:.0f}" if 1000 <= abs(number) < 1e7 else f"{number:.3g}"
 
 
 def _each(family):
