@@ -61,11 +61,11 @@ class Fit(Frozen):
         each = (
             f"{name} = 0, at its boundary"
             if self.at_boundary[name]
-            else f"{name} = {_short(value)} ± {_short(self.standard_errors[name])}"
+            else f"{name} = {_short(value)} ± {_short(self.standard_errors[name], 2)}"
             for name, value in self.parameters.items()
         )
         reached = "converged" if self.converged else "NOT converged"
-        return f"Fit({'; '.join(each)}; log-likelihood {self.log_likelihood:.2f}; {reached})"
+        return f"Fit({'; '.join(each)}; ln L {self.log_likelihood:.2f}; {reached})"
 
 
 def fit(build, z, start, initial=None, u=None, *, as_is=()) -> Fit:
@@ -192,9 +192,9 @@ class _Series:
         return kalman_filter(start.model, self.z[0, start.steps :], start.belief, u)
 
 
-def _short(number):
-    """A number with three digits or more, in plain form where that is short."""
-    return f"{number:.0f}" if 1000 <= abs(number) < 1e7 else f"{number:.3g}"
+def _short(number, digits=3):
+    """A number with so many digits or more, in plain form where that is short."""
+    return f"{number:.0f}" if 10**digits <= abs(number) < 1e7 else f"{number:.{digits}g}"
 
 
 def _each(family):
