@@ -3,6 +3,7 @@
 import os
 import platform
 import re
+import sys
 from importlib.metadata import version
 from pathlib import Path
 
@@ -66,8 +67,8 @@ def load_average():
     return ", ".join(f"{each:.1f}" for each in os.getloadavg()) if hasattr(os, "getloadavg") else "unknown"
 
 
-def report():
-    """The lines of BENCHMARKS.md."""
+def report(tests=True):
+    """The lines of BENCHMARKS.md; without the time of the whole test run, if that was asked for."""
     yield HEAD.format(machine=machine(), load=load_average())
     yield SPEED
     yield from filters.table(map(filters.run, filters.races()))
@@ -82,18 +83,32 @@ def report():
     yield f"\n{PICTURES}"
     yield from playground.table(playground.race())
     yield "\n## Footprint\n"
-    yield from footprint.table()
+    yield from footprint.table(tests)
+
+
+WHY = {
+    "smoothed": "the smoother's passes over all means, several for each step of every run, take most of the time",
+    "IMM": "three filters and their mixing are many small array operations a step, which Python starts one by one",
+    "EKF": "the Jacobians are called from Python at every step, as a learner's own would be",
+    "UKF": "the sigma points go through Python functions at every step; dynamax compiles them",
+    "gap": "after a gap the gains are computed anew until they rest again",
+    "missing": "after a gap the gains are computed anew until they rest again",
+    "key": "most of it is Jupyter's and the browser's own, as the kernel's time beside it shows",
+    "kernel": "two processors are shared by several programs in this run; most of it is the filter over 200 steps",
+    "pictures for each movement": "it follows from the kernel's time: two requests at most are under way",
+}
 
 
 def short(lines):
-    """A paragraph that names the rows in which something is short of its goal."""
+    """A paragraph that names the rows in which something is short of its goal, and what is known of the reason."""
     names = [line.split("|")[1].strip() for line in lines if re.search(rf"\*\*[^|]*, {goals.SHORT}\*\*", line)]
-    return f"\nShort of a goal: {'; '.join(names) or 'nothing'}."
+    reasons = [f"- {name}: {why}." for name in names for key, why in WHY.items() if key in name]
+    return "\n".join([f"\nShort of a goal: {'; '.join(names) or 'nothing'}.", *dict.fromkeys(reasons)])
 
 
 def main():
     lines = []
-    for line in report():
+    for line in report(tests="quick" not in sys.argv):
         print(line, flush=True)
         lines.append(line)
     lines.append(short(lines))
