@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from kflearn import fit, random_walk
-from kflearn.exercises import _fitted_R, _watch
+from kflearn.exercises import _fitted_R, _unknown_sensor, _watch
 from kflearn.exercises.engine import exercise
 
 
@@ -45,9 +45,28 @@ def minus_log_likelihood(z, Q, R, log, nis):
     return total
 
 
+def learns(**settings):
+    return lambda z, F, Q, mean, cov: _unknown_sensor.learn(z, F, Q, mean, cov, **settings)
+
+
+def variance_of_the_readings(z, F, Q, mean, cov):
+    x, P, recent, means, covs = mean, cov, [], [], []
+    for seen in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        recent.append(seen)
+        if not np.isnan(seen):
+            R = np.nanvar(recent[-31:]) if len(recent) > 30 else 1.0
+            K = P[:, 0] / (P[0, 0] + R)
+            x, P = x + K * (seen - x[0]), P - np.outer(K, P[0])
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
+
+
 NOTEBOOK_Z = "def answer(y, Q):\n    return fit(lambda R: random_walk(Q, R), z, {'R': 1.0}).parameters['R']"
 RIGHT = [
     ("let_the_data_choose.fitted_R", search()),
+    ("adaptive.unknown_sensor", learns(window=30, floor=0.3)),
 ]
 ANSWERS = [
     ("let_the_data_choose.one_reading", 0.0726, "probability density itself"),
@@ -64,6 +83,10 @@ ANSWERS = [
     ("let_the_data_choose.fitted_R", written(NOTEBOOK_Z, z=np.arange(50.0)), "reads `z`, which is a name of the notebook"),
     ("let_the_data_choose.fitted_R", lambda z, Q: np.nanvar(np.diff(z)), "2R + Q"),
     ("let_the_data_choose.fitted_R", lambda z, Q: (np.var(np.diff(z)) - Q) / 2, "where the input holds NaN"),
+    ("adaptive.unknown_sensor", learns(window=30, floor=0.01), "Give R̂ a floor of 0.05 m² or more"),
+    ("adaptive.unknown_sensor", learns(window=150), "until then nothing is learnt"),
+    ("adaptive.unknown_sensor", learns(window=1, R=1.0), "of too few squared innovations"),
+    ("adaptive.unknown_sensor", variance_of_the_readings, "Is that the variance of the readings?"),
 ]
 
 
