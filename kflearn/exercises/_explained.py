@@ -121,10 +121,19 @@ def _of_matrices(answer, cases, good, names):
         return ""
     lead = f"That is right only where {alike[-1]} holds a single number."
     if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
-        return f"{lead} `1 / S` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv(S)`."
+        name = _turned_over(answer, names) or "S"
+        lead = lead.replace(f"only where {alike[-1]} ", f"only where {name if name in alike else alike[-1]} ")
+        return f"{lead} `1 / {name}` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
     if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
         return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
     return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."
+
+
+def _turned_over(answer, names):
+    """What a function divides 1 by: an argument, under the exercise's name for it, or another name; None where none is seen."""
+    found = re.search(r"\b1(?:\.0?)? */ *\(?(?:np\.\w+\()?([A-Za-z_]\w*)", _code_of.text_of(answer) or "")
+    own = dict(zip(_code_of.parameters(answer, names), names, strict=True))
+    return found and own.get(found[1], found[1])
 
 
 def _size(results, rights, cases):

@@ -162,7 +162,9 @@ def wrong_choices():
     for picked in (set(c) for size in range(1, 6) for c in itertools.combinations(letters, size)):
         too_many = [POSSIBLE[letter] for letter in letters if letter in picked and letter in POSSIBLE]
         missing = [IMPOSSIBLE[letter] for letter in letters if letter in IMPOSSIBLE and letter not in picked]
-        if too_many:
+        if picked == set(POSSIBLE):
+            yield picked, f"B and D are the two that can be right. The question asks which cannot be right. {' '.join(too_many)}"
+        elif too_many:
             yield picked, f"Not all five. {too_many[0]}" if len(picked) == 5 else " ".join(too_many)
         elif missing:
             yield picked, f"Right so far, but {len(missing)} more cannot be right. {missing[0]}"

@@ -8,7 +8,10 @@ import pytest
 
 from kflearn import fit, random_walk
 from kflearn.exercises import _fitted_R, _unknown_sensor, _watch
+from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises.engine import exercise
+
+inv = np.linalg.inv
 
 
 def asked(name):
@@ -63,12 +66,73 @@ def variance_of_the_readings(z, F, Q, mean, cov):
     return np.array(means), np.array(covs)
 
 
+def no_half(dt, mass, c):
+    return [[1, dt - c * dt**2 / mass], [0, 1 - c * dt / mass]], [[dt**2 / mass], [dt / mass]]
+
+
+def follows(dt, mass, c):
+    left = np.exp(-c / mass * dt)
+    way = (1 - left) * mass / c
+    return [[1, way], [0, left]], [[(dt - way) / c], [(1 - left) / c]]
+
+
+def turned_over(z, H, R):
+    I = 1 / np.array(H, float)  # noqa: E741
+    return I @ z, I @ R @ I.T
+
+
+def exchanged(z, Q, R):
+    x, P, rows = z[0], R, [(z[0], R)]
+    for seen in z[1:]:
+        P = P + R
+        if not np.isnan(seen):
+            K = P / (P + Q)
+            x, P = x + K * (seen - x), (1 - K) * P
+        rows.append((x, P))
+    return tuple(zip(*rows, strict=True))
+
+
+def rooted(z):
+    mean, cov = receiver.by_differences(z)
+    return mean, np.sqrt(abs(cov))
+
+
+def without_a_corner(P, Q, dt):
+    F = np.array([[1, dt], [0, 1]])
+    M = F @ P @ F.T
+    M[1, 0] = dt * P[1, 1]
+    return M + Q
+
+
 NOTEBOOK_Z = "def answer(y, Q):\n    return fit(lambda R: random_walk(Q, R), z, {'R': 1.0}).parameters['R']"
 RIGHT = [
     ("let_the_data_choose.fitted_R", search()),
     ("adaptive.unknown_sensor", learns(window=30, floor=0.3)),
+    ("is_the_filter_honest.draw_start", lambda mean, variances, normal: mean - np.sqrt(variances) * normal),
 ]
 ANSWERS = [
+    ("start_here.readings_needed", 16, "2²/0.25 takes the 0.25 m for a variance"),
+    ("start_here.three_readings", 63.75, "counts as much as the other two"),
+    ("newton_to_state_space.motion", no_half, "the ½ is missing"),
+    ("newton_to_state_space.motion", follows, "You solved the differential equation"),
+    ("newton_to_state_space.three_sensors", [[60, 0], [6000, 0], [0, 36]], "These look like readings"),
+    ("newton_to_state_space.impossible", {"B", "D"}, "are the two that can be right"),
+    ("gaussian_fusion.readings_needed", 67, "Precisions add"),
+    ("gaussian_fusion.published_claim", lambda p, r: (p / r, p / (p + r), p / r), "mended variance"),
+    ("voltmeter.is_unknown", lambda x: not np.all(x), "differs from 0"),
+    ("voltmeter.auto_start", lambda z, H, R: (H @ z, inv(H) @ R @ inv(H).T), "applied H once more"),
+    ("voltmeter.auto_start", turned_over, "`np.linalg.inv(H)`"),
+    ("voltmeter.best_error", 2.83, "Or you took the 4 in both places"),
+    ("voltmeter.best_error", 2.47, "comes to"),
+    ("voltmeter.best_error", 5**0.5, "one of the two only"),
+    ("voltmeter.whole_filter", exchanged, "You exchanged Q and R"),
+    ("tuning_the_ratio.steady_sigma", 0.05**0.5, "√(QR)"),
+    ("is_the_filter_honest.nees", lambda e, P: e @ e / np.linalg.det(P), "determinant"),
+    ("is_the_filter_honest.unknown_sensor", lambda z: receiver.run(z, np.var(z))[:2], "variance of the readings' errors"),
+    ("is_the_filter_honest.unknown_sensor", lambda z: receiver.run(z, np.mean(np.diff(z) ** 2))[:2], "squared differences"),
+    ("is_the_filter_honest.unknown_sensor", rooted, "You return the root of P"),
+    ("bearing_of_a_sound.offset", lambda x1, K, dt: dt * x1 * (1 - K) / (1 + K), "Below the line stands 1 + K"),
+    ("bearing_of_a_sound.right_prediction", without_a_corner, "In the lower left P₁₀ itself is missing"),
     ("let_the_data_choose.one_reading", 0.0726, "probability density itself"),
     ("let_the_data_choose.one_reading", -1.1394, "base of ten"),
     ("let_the_data_choose.one_reading", 0.8237, "sign of the logarithm"),
@@ -99,6 +163,13 @@ def test_right(name, answer):
 def test_own_sentence(name, answer, words):
     outcome = asked(name).check(answer)
     assert outcome.status == "wrong" and words in outcome.text, outcome.text
+
+
+def test_nothing_is_said_twice():
+    """Two mistakes of one kind have remarks that end alike."""
+    two_by_two = lambda P: abs(P[0, 1] - P[1, 0]) < 1e-8 and P[0, 0] >= 0 and np.linalg.det(P[:2, :2]) >= -1e-9  # noqa: E731
+    outcome = asked("bearing_of_a_sound.is_a_covariance").check(two_by_two)
+    assert outcome.text.count("P may be of any size.") == 1, outcome.text
 
 
 def test_the_arguments_have_the_names_that_the_learner_gave_them():
