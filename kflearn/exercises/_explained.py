@@ -63,8 +63,9 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
         return status, sentence
     sizes = len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
     remark = _of_the_notebook(answer, exercise.parameters)
-    if not remark and sizes and (found := _typed_eye(answer)):
-        remark = f"`{found}` has a fixed size, and the trials have several: the identity that fits is `np.eye(len(x))`."
+    if not remark and sizes and (found := _typed_size(answer)):
+        fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
+        remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
     if not remark and sizes and isinstance(error, IndexError):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
     if not remark and sizes and number and isinstance(error, ValueError):
@@ -72,10 +73,9 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
     return status, f"{sentence} {remark}".rstrip()
 
 
-def _typed_eye(answer):
+def _typed_size(answer):
     """A call such as np.eye(2) in a function's text."""
-    found = re.search(r"(np\.|numpy\.)?(eye|identity)\(\d\)", _code_of.text_of(answer) or "")
-    return found and found[0]
+    return re.search(r"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(\d\)", _code_of.text_of(answer) or "")
 
 
 def _unused(exercise, answer, close):
@@ -123,7 +123,9 @@ def _of_matrices(answer, cases, good, names):
     if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
         name = _turned_over(answer, names) or "S"
         lead = lead.replace(f"only where {alike[-1]} ", f"only where {name if name in alike else alike[-1]} ")
-        return f"{lead} `1 / {name}` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
+        return (
+            f"{lead} `1 / {name}` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
+        )
     if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
         return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
     return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."

@@ -25,7 +25,18 @@ __all__ = ["LEAD", "Exercise", "Mark", "Message", "Outcome", "exercise", "exerci
 
 
 def exercise(
-    *, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=(), otherwise=None, trials=None
+    *,
+    hints,
+    wrong=None,
+    inputs=None,
+    unit="",
+    rtol=None,
+    atol=None,
+    then="",
+    fixed=None,
+    also=(),
+    otherwise=None,
+    trials=None,
 ) -> Callable:
     """Make an exercise from its solution function, whose docstring is the question.
 

@@ -14,7 +14,9 @@ ONE = -0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)
 def near_the_density(answer):
     """What is said of a rounded density."""
     if 0.07 < answer < 0.075:
-        return "That is about the probability density itself, 0.0725. Its logarithm was asked for, which is negative here."
+        return (
+            "That is about the probability density itself, 0.0725. Its logarithm was asked for, which is negative here."
+        )
     return None
 
 
@@ -60,7 +62,7 @@ def log_likelihood(y, S):
 
 @exercise(
     hints=[
-        "Write the sum for one reading on average: y² becomes its mean, 4. So ½·4/R + log 2πR has to be as small as possible.",
+        "Write the sum for one reading on average: y² becomes its mean, 4. So ½·4/R + log R has to be as small as possible; a constant inside the logarithm moves nothing.",
         "The derivative with respect to R is −½·4/R² + 1/R. Where is it zero?",
         "½·4/R² = 1/R gives R = 2.",
     ],

@@ -163,7 +163,10 @@ def wrong_choices():
         too_many = [POSSIBLE[letter] for letter in letters if letter in picked and letter in POSSIBLE]
         missing = [IMPOSSIBLE[letter] for letter in letters if letter in IMPOSSIBLE and letter not in picked]
         if picked == set(POSSIBLE):
-            yield picked, f"B and D are the two that can be right. The question asks which cannot be right. {' '.join(too_many)}"
+            yield (
+                picked,
+                f"B and D are the two that can be right. The question asks which cannot be right. {' '.join(too_many)}",
+            )
         elif too_many:
             yield picked, f"Not all five. {too_many[0]}" if len(picked) == 5 else " ".join(too_many)
         elif missing:

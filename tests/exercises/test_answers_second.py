@@ -6,9 +6,10 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from kflearn import fit, random_walk
+from kflearn import bearings, fit, random_walk
 from kflearn.exercises import _fitted_R, _unknown_sensor, _watch
 from kflearn.exercises import _unknown_receiver as receiver
+from kflearn.exercises._thrown_ball import KICK, motion
 from kflearn.exercises.engine import exercise
 
 inv = np.linalg.inv
@@ -64,6 +65,40 @@ def variance_of_the_readings(z, F, Q, mean, cov):
         means.append(x)
         covs.append(P)
     return np.array(means), np.array(covs)
+
+
+def four_steps(z, dt):
+    return np.append(np.full(5, np.nan), (z[5:] - z[:-5]) / (4 * dt))
+
+
+def at_the_first(z0, z1, dt, R):
+    return [z0, (z1 - z0) / dt], [[R, -R / dt], [-R / dt, 2 * R / dt**2]]
+
+
+def slow(z):
+    return bearings.robust_filter(z[None], 0.2, 2.0, lambda score: 5 / (4 + score))[0]
+
+
+def with_a_floor(z, g, q, R):
+    (F, up), H = motion(g), np.eye(2, 4)
+    x, P, rows = np.array([*z[0], 0, 0]), np.diag([R, R, 1e4, 1e4]), []
+    rows.append((x, P))
+    for seen in z[1:]:
+        x, P = F @ x + up, F @ P @ F.T
+        P = P + (900 if x[1] > 210 else q) * KICK
+        y, S = seen - H @ x, H @ P @ H.T + R * np.eye(2)
+        if y @ inv(S) @ y < 11.8:
+            K = P @ H.T @ inv(S)
+            x, P = x + K @ y, P - K @ S @ K.T
+        rows.append((x, P))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def last_term(x, P, z, H, R, considered):
+    K = P @ H.T / (H @ P @ H.T + R)
+    K[considered] = 0
+    keep = np.eye(len(P)) - K @ H
+    return x + K @ (z - H @ x), keep @ P @ keep.T + K @ K.T
 
 
 def no_half(dt, mass, c):
@@ -128,9 +163,32 @@ ANSWERS = [
     ("voltmeter.whole_filter", exchanged, "You exchanged Q and R"),
     ("tuning_the_ratio.steady_sigma", 0.05**0.5, "√(QR)"),
     ("is_the_filter_honest.nees", lambda e, P: e @ e / np.linalg.det(P), "determinant"),
-    ("is_the_filter_honest.unknown_sensor", lambda z: receiver.run(z, np.var(z))[:2], "variance of the readings' errors"),
-    ("is_the_filter_honest.unknown_sensor", lambda z: receiver.run(z, np.mean(np.diff(z) ** 2))[:2], "squared differences"),
+    (
+        "is_the_filter_honest.unknown_sensor",
+        lambda z: receiver.run(z, np.var(z))[:2],
+        "variance of the readings' errors",
+    ),
+    (
+        "is_the_filter_honest.unknown_sensor",
+        lambda z: receiver.run(z, np.mean(np.diff(z) ** 2))[:2],
+        "squared differences",
+    ),
     ("is_the_filter_honest.unknown_sensor", rooted, "You return the root of P"),
+    ("train_and_ship.running_average", four_steps, "five differences"),
+    ("train_and_ship.data_sheet", (6 * 1.18) ** 2, "divide, then square"),
+    ("train_and_ship.data_sheet", (6 / 2.45) ** 2, "95 % of the fixes"),
+    ("train_and_ship.two_point_start", at_the_first, "right there"),
+    (
+        "extended.true_starts",
+        lambda mean, P0, n: mean * (1 + np.sqrt(np.diag(P0)) * n),
+        "multiplied the scatter by the mean",
+    ),
+    ("readings_that_lie.speaker", slow, "later than 30 readings"),
+    ("ball_in_a_video.coast", lambda x, P, F, push, Q: (np.zeros(4), F @ P @ F.T + Q), "though the ball flies on"),
+    ("ball_in_a_video.thrown_ball", with_a_floor, "there is no floor"),
+    ("consider_filter.inflated", 0.09 + 0.25 * 1.951 / 0.049, "memory of the bias"),
+    ("consider_filter.first_covariance", [[0.8, -0.8], [-0.8, 1]], "R is left out"),
+    ("consider_filter.late_row", last_term, "K R Kᵀ, not K Kᵀ"),
     ("bearing_of_a_sound.offset", lambda x1, K, dt: dt * x1 * (1 - K) / (1 + K), "Below the line stands 1 + K"),
     ("bearing_of_a_sound.right_prediction", without_a_corner, "In the lower left P₁₀ itself is missing"),
     ("let_the_data_choose.one_reading", 0.0726, "probability density itself"),
@@ -144,7 +202,11 @@ ANSWERS = [
     ("let_the_data_choose.fitted_R", search(log=0), "Is log 2πS in the sum?"),
     ("let_the_data_choose.fitted_R", search(nis=0), "Is y²/S in the sum?"),
     ("let_the_data_choose.fitted_R", lambda z, Q: _fitted_R.WRONG["Q fitted too"][0](z, Q), "fitted Q as well"),
-    ("let_the_data_choose.fitted_R", written(NOTEBOOK_Z, z=np.arange(50.0)), "reads `z`, which is a name of the notebook"),
+    (
+        "let_the_data_choose.fitted_R",
+        written(NOTEBOOK_Z, z=np.arange(50.0)),
+        "reads `z`, which is a name of the notebook",
+    ),
     ("let_the_data_choose.fitted_R", lambda z, Q: np.nanvar(np.diff(z)), "2R + Q"),
     ("let_the_data_choose.fitted_R", lambda z, Q: (np.var(np.diff(z)) - Q) / 2, "where the input holds NaN"),
     ("adaptive.unknown_sensor", learns(window=30, floor=0.01), "Give R̂ a floor of 0.05 m² or more"),
@@ -170,6 +232,13 @@ def test_nothing_is_said_twice():
     two_by_two = lambda P: abs(P[0, 1] - P[1, 0]) < 1e-8 and P[0, 0] >= 0 and np.linalg.det(P[:2, :2]) >= -1e-9  # noqa: E731
     outcome = asked("bearing_of_a_sound.is_a_covariance").check(two_by_two)
     assert outcome.text.count("P may be of any size.") == 1, outcome.text
+
+
+def test_a_size_that_is_typed_in_is_named():
+    answer = written(
+        "def answer(x, dx, K, fix):\n    moved = dx + K @ (fix - x[:2] - dx[:2])\n    return x + (np.arange(9) < 4) * moved, 0 * dx"
+    )
+    assert "`np.arange(9)` has a fixed size" in asked("error_state_navigation.mended_fix").check(answer).text
 
 
 def test_the_arguments_have_the_names_that_the_learner_gave_them():
