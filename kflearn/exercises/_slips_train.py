@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._slips_train_second import WRONG as SECOND
+
 SIGMA = 6 / math.sqrt(2 * math.log(2))
 
 
@@ -95,10 +97,6 @@ WRONG = {
         ),
     },
     "running_average": {
-        "span of four steps": (
-            lambda z, dt: np.append(np.full(min(5, len(z)), np.nan), (z[5:] - z[:-5]) / (4 * dt)),
-            "From z[k − 5] to z[k] five steps of dt pass, not four: six readings, five differences.",
-        ),
         "centred, as many as there are": (
             lambda z, dt: averaged(z, dt, 5, first=3, centred=2),
             "Your windows reach beyond the reading: the last five differences at reading k are those that end with it.",
@@ -199,18 +197,6 @@ WRONG = {
         ),
     },
     "data_sheet": {
-        "1.18 · 6, squared": (
-            lambda: (6 * 1.18) ** 2,
-            "You multiplied by 1.18, and squared. The radius is the larger number here, σ the smaller: divide, then square.",
-        ),
-        "rms distance, 1.41": (
-            lambda: (6 / 1.41) ** 2,
-            "You took 6 m for the rms distance, 1.41 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
-        ),
-        "95 %": (
-            lambda: (6 / 2.45) ** 2,
-            "You took 6 m for the radius that holds 95 % of the fixes, 2.45 σ. This one holds half of them, and is 1.18 σ.",
-        ),
         "36/1.18": (lambda: 36 / 1.18, "You squared the 6 m and not the 1.18. First σ = 6 m/1.18, then the square of it."),
         "1.18 · 36": (lambda: 36 * 1.18, "You multiplied by 1.18, and did not square it. The radius is the larger number here, σ the smaller: divide, then square."),
         "2DRMS": (lambda: (6 / math.sqrt(8)) ** 2, "You took 6 m for twice the rms distance, 2.83 σ. Half of the fixes lie within a smaller circle, 1.18 σ."),
@@ -228,11 +214,6 @@ WRONG = {
         "95 % factor, not squared": (lambda: 6 / 2.45, "You took 6 m for the radius that holds 95 %, and returned a σ. Half of the fixes lie within 1.18 σ; and R is a variance."),
     },
     "two_point_start": {
-        "for the moment of z0": (
-            lambda z0, z1, dt, R: (np.array([z0, (z1 - z0) / dt]), np.array([[R, -R / dt], [-R / dt, 2 * R / dt**2]])),
-            "That is the belief at the moment of z0, and it is right there. Asked is the one after the second fix: the position is z1, "
-            "and an error of z1 makes the speed larger, so the corner is positive.",
-        ),
         "deviations on the diagonal": (
             belief(lambda R, dt: 0, lambda R, dt: math.sqrt(2 * R) / dt, lambda R, dt: math.sqrt(R)),
             "The mean is right. P holds variances, and you have standard deviations; and the corner is not zero, for z₁ is in the position and in the speed.",
@@ -303,3 +284,6 @@ WRONG = {
         ),
     },
 }  # fmt: skip
+
+for name, more in SECOND.items():
+    WRONG[name] |= more

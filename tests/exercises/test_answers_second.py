@@ -112,7 +112,7 @@ def follows(dt, mass, c):
 
 
 def turned_over(z, H, R):
-    I = 1 / np.array(H, float)  # noqa: E741
+    I = 1 / np.array(H, float)
     return I @ z, I @ R @ I.T
 
 
@@ -236,7 +236,8 @@ def test_nothing_is_said_twice():
 
 def test_a_size_that_is_typed_in_is_named():
     answer = written(
-        "def answer(x, dx, K, fix):\n    moved = dx + K @ (fix - x[:2] - dx[:2])\n    return x + (np.arange(9) < 4) * moved, 0 * dx"
+        "def answer(x, dx, K, fix):\n    moved = dx + K @ (fix - x[:2] - dx[:2])\n"
+        "    return x + (np.arange(9) < 4) * moved, 0 * dx"
     )
     assert "`np.arange(9)` has a fixed size" in asked("error_state_navigation.mended_fix").check(answer).text
 
