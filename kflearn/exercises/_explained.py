@@ -106,7 +106,7 @@ def _not_a_number(results, rights, cases):
         return ""
     bad = [np.isnan(one).any() and np.isfinite(other).all() for one, other in pairs]
     gaps = [_rules.has_nan(case) for case in cases]
-    if any(bad) and bad == gaps:
+    if all(bad) and all(gaps):
         return "The result is NaN where the input holds NaN, a reading that is missing: whatever is calculated with NaN is NaN."
     if all(bad):
         return "The result is NaN: is it the root, or the logarithm, of a negative number?"
@@ -133,7 +133,9 @@ def _of_matrices(answer, cases, good, names):
 
 def _turned_over(answer, names):
     """What a function divides 1 by: an argument, under the exercise's name for it, or another name; None where none is seen."""
-    found = re.search(r"\b1(?:\.0?)? */ *\(?(?:np\.\w+\()?([A-Za-z_]\w*)", _code_of.text_of(answer) or "")
+    found = re.search(
+        r"\b1(?:\.0?)? */ *\(?(?:np\.\w+\()?([A-Za-z_]\w*)\b(?! *[@*+(.\[-])", _code_of.text_of(answer) or ""
+    )
     own = dict(zip(_code_of.parameters(answer, names), names, strict=True))
     return found and own.get(found[1], found[1])
 
