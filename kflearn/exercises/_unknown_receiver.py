@@ -76,7 +76,7 @@ BY_HAND = [
     ),
     (
         lambda z: np.var(np.diff(z)),
-        "Your R is the variance of the differences of neighbours, which hold the errors of two readings: it is 2R, and a little more.",
+        "Your R is the variance of the differences of neighbours, which hold the errors of two readings each: it is about 2 times R.",
     ),
 ]
 
