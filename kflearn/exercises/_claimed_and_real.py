@@ -44,6 +44,10 @@ WRONG = {
             lambda p, r: (1.0, p / (p + r), (p + r) / p),
             "Anna's is right. In the other two the mean is μx. Its mean squared error is var_x, not var_z.",
         ),
+        "Ben claims var_z": (
+            lambda p, r: (p / r, p / (p + r), p / r),
+            "Two are right. Ben returns μx with the mended variance, the fused one. Divide his var_x by that.",
+        ),
         "Ben is honest": (
             lambda p, r: (p / r, p / (p + r), 1.0),
             "Two are right. Ben returns μx, so his real mean squared error is var_x, not the fused variance that he claims.",

@@ -93,6 +93,13 @@ def names_of_the_notebook(function) -> list:
     return sorted(name for name in read if _is_data(space.get(name)))
 
 
+def parameters(function, names) -> list:
+    """What a function calls its arguments; where it has another number of them than there are names, the names."""
+    code = getattr(function, CODE, None)
+    own = list(code.co_varnames[: code.co_argcount]) if code else []
+    return own if len(own) == len(names) else list(names)
+
+
 def _is_data(value):
     """Whether a value is one that an argument could be."""
     kind = type(value)

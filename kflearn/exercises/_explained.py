@@ -9,24 +9,48 @@ import numpy as np
 
 from kflearn.exercises import _code_of, _rules, _rules_inputs
 from kflearn.exercises._answers import fault, parts, told
+from kflearn.exercises._watch import TooLong
 
 FULL = 12  # the entries of a matrix that are looked at one by one
+
+
+def in_time(exercise, answer, results, rights, faults) -> str:
+    """The sentence for results that are wrong; where there is no time to look for it, the first trial that fails."""
+    try:
+        named = exercise._lesson(answer, results) or _otherwise(exercise, answer, results, rights)
+        return named or explained(exercise, answer, results, rights, faults)
+    except TooLong:
+        first = next(number for number, complaint in enumerate(faults) if complaint)
+        return f"For `{exercise._called(exercise.cases[first])}` {faults[first]}"
+
+
+def _otherwise(exercise, answer, results, rights):
+    """What the exercise itself says of such results; None where it says nothing, or can make nothing of them."""
+    if not exercise.otherwise or _code_of.names_of_the_notebook(answer):
+        return None
+    try:
+        return exercise.otherwise(np.asarray(results, float), np.asarray(rights, float))
+    except Exception:  # results that are no numbers, or not of one shape
+        return None
 
 
 def explained(exercise, answer, results, rights, faults) -> str:
     """The sentence for results that are wrong: a rule that explains all of them, or else the first trial that fails."""
     close = lambda one, other: fault(one, other, "", exercise.rtol, exercise.atol, False) is None  # noqa: E731
     cases, names = exercise.cases, exercise.parameters
-    if named := _rules.sentence(results, rights, close) or _rules_inputs.as_if(results, exercise, close):
+    named = _rules.sentence(results, rights, close)
+    named = named or (not exercise.slow and _rules_inputs.as_if(results, exercise, close))
+    if named and not (named.endswith("or missing.") and _of_the_notebook(answer, names)):
         return named
-    if _rules.changes(answer, results, cases):
+    if not exercise.slow and _rules.changes(answer, results, cases):
         return _rules.CHANGES
     good = [not complaint for complaint in faults]
     first = good.index(False)
     words = f"for `{exercise._called(cases[first])}` {faults[first]}"
-    lead = _unused(exercise, answer, close) or _of_the_notebook(answer, names)
-    lead = lead or _not_a_number(results, rights) or _of_matrices(answer, cases, good, names)
-    lead = lead or _size(results, rights, cases) or _rules_inputs.blind(answer, exercise, close)
+    lead = "" if exercise.slow else _unused(exercise, answer, close)
+    lead = lead or _of_the_notebook(answer, names)
+    lead = lead or _not_a_number(results, rights, cases) or _of_matrices(answer, cases, good, names)
+    lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
     if not lead:
         return " ".join(filter(None, [words, _placed(results, rights, close), _rules.share(good, cases)]))
     return f"{lead} {words[0].upper()}{words[1:]}"
@@ -39,8 +63,9 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
         return status, sentence
     sizes = len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
     remark = _of_the_notebook(answer, exercise.parameters)
-    if not remark and sizes and (found := _typed_eye(answer)):
-        remark = f"`{found}` has a fixed size, and the trials have several: the identity that fits is `np.eye(len(x))`."
+    if not remark and sizes and (found := _typed_size(answer)):
+        fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
+        remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
     if not remark and sizes and isinstance(error, IndexError):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
     if not remark and sizes and number and isinstance(error, ValueError):
@@ -48,10 +73,9 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
     return status, f"{sentence} {remark}".rstrip()
 
 
-def _typed_eye(answer):
+def _typed_size(answer):
     """A call such as np.eye(2) in a function's text."""
-    found = re.search(r"(np\.|numpy\.)?(eye|identity)\(\d\)", _code_of.text_of(answer) or "")
-    return found and found[0]
+    return re.search(r"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(\d\)", _code_of.text_of(answer) or "")
 
 
 def _unused(exercise, answer, close):
@@ -68,18 +92,23 @@ def _of_the_notebook(answer, parameters):
     names = _code_of.names_of_the_notebook(answer)
     if not names:
         return ""
+    own = _code_of.parameters(answer, parameters)
     listed = " and ".join(f"`{name}`" for name in names[:3])
     are = "is a name of the notebook and not an argument" if len(names) == 1 else "are names of the notebook"
-    return f"Your function reads {listed}, which {are}: is that meant? It is given {', '.join(parameters)}."
+    return f"Your function reads {listed}, which {are}: is that meant? It is given {', '.join(own)}."
 
 
-def _not_a_number(results, rights):
+def _not_a_number(results, rights, cases):
     """NaN where a number is wanted."""
     try:
         pairs = [(np.asarray(one, float), np.asarray(other, float)) for one, other in zip(results, rights, strict=True)]
     except (TypeError, ValueError):
         return ""
-    if all(np.isnan(one).any() and np.isfinite(other).all() for one, other in pairs):
+    bad = [np.isnan(one).any() and np.isfinite(other).all() for one, other in pairs]
+    gaps = [_rules.has_nan(case) for case in cases]
+    if all(bad) and all(gaps):
+        return "The result is NaN where the input holds NaN, a reading that is missing: whatever is calculated with NaN is NaN."
+    if all(bad):
         return "The result is NaN: is it the root, or the logarithm, of a negative number?"
     return ""
 
@@ -92,10 +121,23 @@ def _of_matrices(answer, cases, good, names):
         return ""
     lead = f"That is right only where {alike[-1]} holds a single number."
     if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
-        return f"{lead} `1 / S` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv(S)`."
+        name = _turned_over(answer, names) or "S"
+        lead = lead.replace(f"only where {alike[-1]} ", f"only where {name if name in alike else alike[-1]} ")
+        return (
+            f"{lead} `1 / {name}` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
+        )
     if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
         return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
     return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."
+
+
+def _turned_over(answer, names):
+    """What a function divides 1 by: an argument, under the exercise's name for it, or another name; None where none is seen."""
+    found = re.search(
+        r"\b1(?:\.0?)? */ *\(?(?:np\.\w+\()?([A-Za-z_]\w*)\b(?! *[@*+(.\[-])", _code_of.text_of(answer) or ""
+    )
+    own = dict(zip(_code_of.parameters(answer, names), names, strict=True))
+    return found and own.get(found[1], found[1])
 
 
 def _size(results, rights, cases):

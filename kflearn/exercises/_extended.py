@@ -136,6 +136,10 @@ WRONG = {
         ),
     },
     "true_starts": {
+        "times the mean": (
+            lambda mean, P0, normal: mean * (1 + np.sqrt(np.diag(P0)) * normal),
+            "You multiplied the scatter by the mean. It is added: a truth is the mean plus a random part whose covariance is P0.",
+        ),
         "as published": (
             lambda mean, P0, normal: mean + 0 * normal,
             "That is the published study again: every truth starts where the filter believes, exactly, while P0 claims otherwise.",

@@ -192,6 +192,11 @@ WRONG = {
         ),
     },
     "readings_needed": {
+        "variances added": (
+            67,
+            "67 is (5 + 1)/0.3², rounded up: you added the variances of the prediction and of a reading, and divided by n. "
+            "Precisions add: 1/5 of the prediction, and 1 for each reading.",
+        ),
         "0.3 taken as a variance": (
             4,
             "Four readings bring the *variance* below 0.3 m². The question says σ below 0.3 m: a variance below 0.09 m².",

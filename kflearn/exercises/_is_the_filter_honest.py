@@ -204,10 +204,6 @@ WRONG = {
             lambda mean, variances, normal: mean + np.sqrt(variances) * normal[0],
             "All states share one random number, so they are always wrong together. Each has a number of its own.",
         ),
-        "other side": (
-            lambda mean, variances, normal: mean - np.sqrt(variances) * normal,
-            "Such a draw is as good as the other, for the distribution is symmetric. But please add, so that the numbers can be compared.",
-        ),
         "variance squared": (
             lambda mean, variances, normal: mean + variances**2 * normal,
             "You squared the variances; σ is their root.",

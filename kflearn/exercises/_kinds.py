@@ -7,7 +7,7 @@ import numpy as np
 
 from kflearn.exercises import _code_of, _rules, progress
 from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, unfinished
-from kflearn.exercises._explained import explained, raised
+from kflearn.exercises._explained import in_time, raised
 from kflearn.exercises._messages import Message, Outcome
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._typed import typed
@@ -214,13 +214,13 @@ class FunctionExercise(Exercise):
 
     subject = "the result"
 
-    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, inputs, fixed, also=()):
-        self.also = list(also)
+    def __init__(self, solution, hints, wrong, unit, rtol, atol, then, inputs, fixed, also=(), trials=None):
+        self.also, self.slow = list(also), trials is not None
         super().__init__(solution, hints, wrong, unit, 1e-6 if rtol is None else rtol, atol, then)
         if not callable(inputs):
             raise ValueError(f"{self.name}: the solution has parameters, so inputs= must be a function of a Generator")
         rng = np.random.default_rng(20)
-        self.cases = [inputs(rng) for _ in range(TRIALS)]
+        self.cases = [inputs(rng) for _ in range(trials or TRIALS)]
         self.parameters, self.fixed = list(inspect.signature(solution).parameters), fixed
         if any(not isinstance(case, tuple) or arity_fault(solution, case) for case in self.cases):
             raise ValueError(f"{self.name}: inputs= must return a tuple with one value for each of {self.parameters}")
@@ -252,7 +252,7 @@ class FunctionExercise(Exercise):
             return self._right(f"Your function agrees with the solution on {len(self.cases)} random inputs.")
         if any(all(self._gives(other, *pair) for pair in zip(self.cases, results, strict=True)) for other in self.also):
             return self._right(f"Your way is right as well: it was tried on {len(self.cases)} random inputs.")
-        return Outcome("wrong", self._lesson(answer, results) or explained(self, answer, results, rights, faults))
+        return Outcome("wrong", in_time(self, answer, results, rights, faults))
 
     def _called(self, case):
         """A trial in words."""

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from kflearn import fit, random_walk
-
 LOG = np.log(2 * np.pi * 5)
 
 WRONG = {
@@ -37,6 +35,14 @@ WRONG = {
             float(np.exp(-0.5 * (LOG + 1.8))),
             "That is the probability density itself. Its logarithm was asked for.",
         ),
+        "log10 of the density": (
+            -0.5 * (LOG + 1.8) / np.log(10),
+            "You took the logarithm to the base of ten. The natural one is meant, `np.log`.",
+        ),
+        "sign of the logarithm": (
+            0.5 * LOG - 0.9,
+            "The sign of the logarithm is the opposite: a half of log 2πS is taken off, as is a half of y²/S.",
+        ),
         "log10": (
             -0.5 * (np.log10(2 * np.pi * 5) + 1.8),
             "You took the logarithm to the base of ten. The natural one is meant, `np.log`.",
@@ -57,6 +63,16 @@ WRONG = {
             np.sqrt(8),
             "That is 4/√2, as a factor of a half would change a σ. Set the derivative −½·4/R² + 1/R to zero.",
         ),
+        "root of two up": (
+            4 * np.sqrt(2),
+            "That is 4·√2. The logarithm, which punishes a large R, has become heavier, so R becomes smaller; and R is a "
+            "variance: nothing is rooted. Set the derivative −½·4/R² + 1/R to zero.",
+        ),
+        "eight squared": (
+            64.0,
+            "That is 8². R is a variance already, so nothing is squared. And the logarithm, which punishes a large R, has "
+            "become heavier: R becomes smaller.",
+        ),
         "a quarter": (1.0, "The logarithm is twice as heavy, not four times: ½·4/R² = 1/R."),
         "sixteen": (
             16.0,
@@ -70,30 +86,42 @@ WRONG = {
         ),
     },
     "doubled": {
-        "A": ({"A"}, "Twice a hill has its top in the same place, so A is right. Think of the curvature."),
+        "A": (
+            {"A"},
+            "Twice a hill has its top in the same place, so A does not come out wrong. Think of the curvature.",
+        ),
         "B": ({"B"}, "B is one of them. And what is added to log L in the AIC, is that doubled too?"),
         "C": ({"C"}, "C is one of them. And what of the curvature of a hill that is twice as high?"),
         "D": (
             {"D"},
-            "The order of two numbers stays when both are doubled, and the same constant is missing in both. D is right.",
+            "The order of two numbers stays when both are doubled, and the same constant is missing in both. D does not come out wrong.",
         ),
-        "AB": ({"A", "B"}, "Twice a hill has its top in the same place, so A is right. B is wrong; and one more."),
-        "AC": ({"A", "C"}, "Twice a hill has its top in the same place, so A is right. C is wrong; and one more."),
-        "AD": ({"A", "D"}, "A and D look at the place of the top and at the order only: both are right."),
-        "BD": ({"B", "D"}, "The order stays, so D is right. B is wrong; and what of the AIC?"),
-        "CD": ({"C", "D"}, "The order stays, so D is right. C is wrong; and what of the curvature?"),
-        "ABC": ({"A", "B", "C"}, "Two of these are wrong. Twice a hill has its top in the same place, so A is right."),
+        "AB": (
+            {"A", "B"},
+            "Twice a hill has its top in the same place, so A does not come out wrong. B does; and one more.",
+        ),
+        "AC": (
+            {"A", "C"},
+            "Twice a hill has its top in the same place, so A does not come out wrong. C does; and one more.",
+        ),
+        "AD": ({"A", "D"}, "A and D look at the place of the top and at the order only: neither comes out wrong."),
+        "BD": ({"B", "D"}, "The order stays, so D does not come out wrong. B does; and what of the AIC?"),
+        "CD": ({"C", "D"}, "The order stays, so D does not come out wrong. C does; and what of the curvature?"),
+        "ABC": (
+            {"A", "B", "C"},
+            "Two of these come out wrong. Twice a hill has its top in the same place, so A does not come out wrong.",
+        ),
         "BCD": (
             {"B", "C", "D"},
-            "Two of these are wrong. The order of two numbers stays when both are doubled: D is right.",
+            "Two of these come out wrong. The order of two numbers stays when both are doubled: D does not come out wrong.",
         ),
         "ABD": (
             {"A", "B", "D"},
-            "Of these only B is wrong: the place of the top and the order stay. And what of the AIC?",
+            "Of these only B comes out wrong: the place of the top and the order stay. And what of the AIC?",
         ),
         "ACD": (
             {"A", "C", "D"},
-            "Of these only C is wrong: the place of the top and the order stay. And what of the curvature?",
+            "Of these only C comes out wrong: the place of the top and the order stay. And what of the curvature?",
         ),
         "ABCD": (
             {"A", "B", "C", "D"},
@@ -115,6 +143,10 @@ WRONG["log_likelihood"] = {
     "gaps counted": (
         lambda y, S: -0.5 * (np.sum(np.log(2 * np.pi * S)) + np.nansum(y**2 / S)),
         "The logarithm is added for missing readings too. A step without a reading says nothing: leave out its log 2πS as well.",
+    ),
+    "2π counted for gaps": (
+        lambda y, S: -0.5 * (len(y) * np.log(2 * np.pi) + of_seen(lambda y, S: np.sum(np.log(S) + y**2 / S))(y, S)),
+        "You added log 2π for every step, `len(y)` times, also where there is no reading. Count the readings alone.",
     ),
     "NaN kept": (
         lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S),
@@ -161,44 +193,5 @@ WRONG["log_likelihood"] = {
     "product of densities": (
         of_seen(lambda y, S: np.prod(np.exp(-0.5 * y**2 / S) / np.sqrt(2 * np.pi * S))),
         "That is the likelihood itself. Its logarithm was asked for; with many readings the product would become 0 in the machine.",
-    ),
-}
-
-WRONG["fitted_R"] = {
-    "variance of the readings": (
-        lambda z, Q: np.nanvar(z, ddof=1),
-        "That is the variance of the readings, as of a voltage that never moves: the walk is in it too. Q is given.",
-    ),
-    "differences": (
-        lambda z, Q: np.nanvar(np.diff(z)) / 2,
-        "Half the variance of the differences. A difference also holds one step of the walk: its variance is 2R + Q.",
-    ),
-    "differences without the half": (
-        lambda z, Q: np.nanmean(np.diff(z) ** 2) - Q,
-        "That is 2R, since a difference holds the errors of two readings. And differences are not the most probable R: use the likelihood.",
-    ),
-    "differences, right on average": (
-        lambda z, Q: max((np.nanmean(np.diff(z) ** 2) - Q) / 2, 0),
-        "A fair estimate: right on average, but it scatters more than need be. Maximise the likelihood.",
-    ),
-    "σ": (
-        lambda z, Q: np.sqrt(fit(lambda R: random_walk(Q, R), z, {"R": 1.0}).parameters["R"]),
-        "That is σ. Its square, the variance R, was asked for.",
-    ),
-    "Q as σ": (
-        lambda z, Q: fit(lambda R: random_walk(Q**2, R), z, {"R": 1.0}).parameters["R"],
-        "Q is a variance already; you squared it.",
-    ),
-    "Q fitted too": (
-        lambda z, Q: fit(random_walk, z, {"Q": 1.0, "R": 1.0}).parameters["R"],
-        "You fitted Q as well. It is known here: put it into `build`.",
-    ),
-    "Q and R exchanged": (
-        lambda z, Q: fit(lambda R: random_walk(R, Q), z, {"R": 1.0}).parameters["R"],
-        "You gave Q and R to `random_walk` in the wrong order: its first argument is Q.",
-    ),
-    "gaps left out": (
-        lambda z, Q: fit(lambda R: random_walk(Q, R), z[~np.isnan(z)], {"R": 1.0}).parameters["R"] * 1.0,
-        "You removed the gaps, so that the readings on either side became neighbours. Leave NaN in: the filter then predicts twice.",
     ),
 }

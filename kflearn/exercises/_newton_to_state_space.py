@@ -44,6 +44,11 @@ def first_wrong_row(H):
     """What to look at, for an H of the right form: the first sensor whose row is not right."""
     rows = {"the tape in metres": [1, 0], "the tape in centimetres": [100, 0], "the speedometer": [0, 3.6]}
     name = next(name for row, (name, right) in zip(H, rows.items(), strict=True) if not np.allclose(row, right))
+    if np.isclose(H[1][0], 100 * H[0][0]) and abs(H[0][0]) > 1.5 and not (H[0][1] or H[1][1]):
+        return (
+            f"These look like readings: a tape that shows {H[0][0]:g} m. H holds no readings, but what each sensor shows for "
+            "1 m and 0 m/s (first column), and for 0 m and 1 m/s (second column)."
+        )
     return f"Look at the row of {name}: what does it show for 1 m and 0 m/s, and what for 0 m and 1 m/s?"
 
 
@@ -52,6 +57,19 @@ WRONG = {
         "no drag": (
             lambda dt, mass, c: (moving(dt), push(dt, mass)),
             "B is right. Your F is that of the cart without drag. The force −c·v depends on the velocity, so it belongs to F.",
+        ),
+        "no half in the first rows": (
+            lambda dt, mass, c: (dragged(dt, c * dt**2 / mass, c * dt / mass), column(dt**2, dt) / mass),
+            "The second rows are right. In the first row of F and in that of B the ½ is missing: a force that acts for dt seconds "
+            "moves the cart by ½·F/m·dt², as in (1).",
+        ),
+        "drag that follows the velocity": (
+            lambda dt, mass, c: (
+                decaying(dt, mass, c),
+                column(dt - decaying(dt, mass, c)[0, 1], 1 - decaying(dt, mass, c)[1, 1]) / c,
+            ),
+            "You solved the differential equation, in which the drag follows the velocity at every instant. Here it is held during "
+            "a step at −c·v with the v of the beginning, as the text says: put u − c·v into (1) and (2).",
         ),
         "drag in the velocity only": (
             lambda dt, mass, c: (dragged(dt, 0.0, c * dt / mass), push(dt, mass)),

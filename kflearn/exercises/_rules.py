@@ -213,7 +213,7 @@ def share(good, cases) -> str:
 
 
 TRAITS = {
-    "those that fail have a NaN": lambda case, first: any(_nan(part) for part in case),
+    "those that fail have a NaN": lambda case, first: has_nan(case),
     "those that fail have a negative number": lambda case, first: any((_flat(part) < 0).any() for part in case),
     "those that fail have another size than the first trial": lambda case, first: _shapes(case) != _shapes(first),
     "those that fail have a zero": lambda case, first: any((_flat(part) == 0).any() for part in case),
@@ -227,8 +227,9 @@ def _flat(part):
         return np.zeros(0) + np.inf
 
 
-def _nan(part):
-    return np.isnan(_flat(part)).any()
+def has_nan(case):
+    """Whether a trial's inputs hold a NaN."""
+    return any(bool(np.isnan(_flat(part)).any()) for part in case)
 
 
 def changes(function, results, cases) -> bool:

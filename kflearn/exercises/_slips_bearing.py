@@ -86,6 +86,11 @@ WRONG = {
             lambda x1, K, dt: dt * x1 * 1 - K / K,
             "A bracket is missing around 1 − K.",
         ),
+        "plus below": (
+            lambda x1, K, dt: dt * x1 * (1 - K) / (1 + K),
+            "Below the line stands 1 + K. At rest offset = (1 − K)·(offset + dt·x₁): on the left offset·(1 − (1 − K)) is left, "
+            "which is K times the offset.",
+        ),
         "plus": (
             lambda x1, K, dt: dt * x1 * (1 + K) / K,
             "You added K. The correction takes the part K away: 1 − K is left.",
@@ -122,6 +127,11 @@ WRONG = {
         "symmetrised": (
             lambda P, Q, dt: np.mean([M := np.array([[1, dt], [0, 1]]) @ P @ np.array([[1, dt], [0, 1]]).T + Q, M.T], axis=0),
             "F P Fᵀ + Q is right, and then you made it symmetric. This P need not be symmetric, and is to be treated as it is: a test has to see that it is not.",
+        ),
+        "lower left without P₁₀": (
+            lambda P, Q, dt: np.array([[1, dt], [0, 1]]) @ P @ np.array([[1, dt], [0, 1]]).T + Q - [[0, 0], [P[1, 0], 0]],
+            "Three entries are right. In the lower left P₁₀ itself is missing: the second row of F P is the second row of P, "
+            "and Fᵀ adds dt·P₁₁ to its first entry.",
         ),
         "sum for product": (
             lambda P, Q, dt: (F := np.array([[1, dt], [0, 1]])) @ P + P @ F.T + Q,

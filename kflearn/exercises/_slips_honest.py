@@ -32,6 +32,10 @@ WRONG = {
         ),
     },
     "nees": {
+        "over the determinant": (
+            lambda e, P: e @ e / np.linalg.det(P),
+            "You divided by the determinant of P, which is a number of another unit. The inverse of P is a matrix, and e stands on both sides of it.",
+        ),
         "squares of e": (
             lambda e, P: np.sum(np.linalg.inv(P) @ e**2),
             "You squared e first. Then the products of two different components are lost: e itself stands on both sides of P⁻¹.",

@@ -22,6 +22,14 @@ WRONG = {
         "variance": (lambda: np.var([61, 62, 66]), SCATTER),
         "variance, n − 1": (7, SCATTER),
         "range": (5, "5 m is the distance from the smallest reading to the largest. Asked is the mean of all three."),
+        "in pairs": (
+            63.75,
+            "That is the mean of 61.5, the mean of the first two, and 66. The 66 then counts as much as the other two together.",
+        ),
+        "in pairs, the last two first": (
+            62.5,
+            "That is the mean of 61 and 64, the mean of the last two. The 61 then counts as much as the other two together.",
+        ),
         "by four": (47.25, "You divided by 4. There are three readings."),
     },
     "update_mean": {

@@ -80,6 +80,14 @@ BIAS_IN_S = "The bias is left out of the gain or of H: the reading holds the con
 SLIPS = {}
 
 SLIPS["coast"] = {
+    "four zeros": (
+        lambda x, P, F, push, Q: (np.zeros(4), F @ P @ F.T + Q),
+        "P is right. The state becomes zero, as published, though the ball flies on: it is F x + push. (And the trials have several sizes, not four states.)",
+    ),
+    "four zeros, P kept": (
+        lambda x, P, F, push, Q: (np.zeros(4), P),
+        "That is the published fault again: the state becomes zero, and P still claims a small error. (And the trials have several sizes, not four states.)",
+    ),
     "P given up": (
         lambda x, P, F, push, Q: (F @ x + push, 1e4 * np.eye(len(x))),
         "The state is right. But you threw P away: the filter knows more than that. P grows from what it was, F P Fᵀ + Q.",
@@ -177,6 +185,10 @@ SLIPS["first_covariance"] = {
     ),
     "root of R": (first_gain(4 / 5.5, 0.5), "You took the root of R. R = 0.25 is the variance: S = 4 + 1 + 0.25."),
     "R not in S": (first_gain(4 / 5), "Your gain lacks R: S = 4 + 1 + 0.25."),
+    "R nowhere": (
+        np.array([[0.8, -0.8], [-0.8, 1]]),
+        "R is left out, in the gain and in the last term of (9J): S = 4 + 1 + 0.25, and K R Kᵀ is added.",
+    ),
     "bias not in S, P11": (
         np.array([[4 * 0.25 / 4.25, -4 / 4.25], [-4 / 4.25, 1]]),
         "Your gain lacks the bias: S = 4 + 1 + 0.25, because the innovation holds the bias too.",
@@ -207,6 +219,10 @@ SLIPS["late_row"] = {
     ),
     "bias not in H": (bias_left_out, BIAS_IN_S),
     "bias not in the gain": (late(K_of=without_bias), BIAS_IN_S),
+    "R not in the last term": (
+        late(P_of=lambda P, K, keep, H, R: keep @ P @ keep.T + K @ K.T),
+        "The state is right. In the last term of (9J) R is missing: K R Kᵀ, not K Kᵀ.",
+    ),
     "R not in S": (
         late(K_of=lambda P, H, R, c: P @ H.T / (H @ P @ H.T)),
         "Your S lacks R: S = H P Hᵀ + R.",

@@ -100,19 +100,23 @@ def of_one(answers, recordings):
 
 def of_two(answers, recordings):
     """What to look at where the errors with two speakers are too large: it never comes to the new one, or it does."""
-    arrived, early = [], []
+    arrived, early, slow = [], [], []
     for answer, (_, truth) in zip(answers, recordings, strict=True):
         for moment in np.flatnonzero(abs(np.diff(truth)) > 30) + 1:
             late = angle_difference(np.asarray(answer, float), truth)[moment + SETTLED :]
             arrived.append(np.median(abs(late)) < 10)
-            new = angle_difference(np.asarray(answer, float)[moment - 5 : moment], truth[moment])
+            slow.append(len(late) > 10 and np.mean(abs(late[:10]) > 30) > 0.5)
+            new = angle_difference(np.asarray(answer, float)[moment - 1 : moment], truth[moment])
             early.append(np.median(abs(new)) < 10)
     if words := of_the_readings(answers, recordings):
         return words
-    if np.mean(early) > 0.5:
-        return "The filter comes to the new speaker before he speaks: it looks ahead, and switches too early."
+    if np.mean(early) > 0.5 or (any(early) and of_one(answers, recordings).startswith("Is every")):
+        count = f"In {sum(early)} of {len(early)} recordings with two speakers"
+        return f"{count} the filter comes to the new speaker before the change: it looks ahead, and switches too early."
     if np.mean(arrived) < 0.5:
         return "After a change the filter must come to the new speaker within 30 readings: does your gate open again?"
+    if np.mean(slow) > 0.3:
+        return "After a change the filter comes to the new speaker, but later than 30 readings: new readings must count for more when many of them agree."
     words = of_one(answers, recordings)
     return f"The filter comes to the new speaker, but it is wrong at other times. {words}"
 

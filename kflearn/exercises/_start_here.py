@@ -16,7 +16,8 @@ WRONG = {
         "σ/n": (8, "Eight readings give 2/√8 = 0.71 m: the standard deviation falls with √n, not with n."),
         "σ = 1 m": (
             16,
-            "Sixteen readings give 2/√16 = 0.5 m. They would do if each had σ = 1 m; here each has σ = 2 m.",
+            "Sixteen readings give 2/√16 = 0.5 m. Two mistakes lead to 16: (1/0.25)² leaves out that each reading has σ = 2 m, "
+            "and 2²/0.25 takes the 0.25 m for a variance.",
         ),
         "±2σ": (
             256,

@@ -227,5 +227,19 @@ def moves(answer, answers, recordings):
     return None
 
 
+def floor(answer, answers, recordings):
+    """The lesson's floor, below which P grows by much more."""
+    pairs = list(zip(answers, recordings, strict=True))
+    grown = np.concatenate([added(*pair(a), F)[1][dark(r)][:, 3, 3] / r[0][2] for a, r in pairs])
+    row = np.concatenate([pair(a)[0][1:][dark(r)][:, 1] for a, r in pairs])
+    much = grown > 20
+    if much.any() and not much.all() and row[much].min() > row[~much].max() - 1:
+        return (
+            f"Where nothing is seen, your P grows much more from row {row[much].min():.0f} downwards: that is the lesson's floor, "
+            "at row 210. This ball is in the air, and there is no floor."
+        )
+    return None
+
+
 ORDER = "In another order of your states all of this passes. The order is: column, row, velocity of the column, velocity of the row."
-SIGNS = [predictions(), another_order(MARKS, ORDER), stands_still, gravity, kicks, trusts, moves, begins, gates]
+SIGNS = [predictions(), another_order(MARKS, ORDER), stands_still, floor, gravity, kicks, trusts, moves, begins, gates]

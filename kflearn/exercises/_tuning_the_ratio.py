@@ -39,6 +39,11 @@ WRONG = {
             lambda: math.sqrt(balance(0.01, 0.25) * 0.01),
             "You multiplied the gain with Q. At the balance P = K·R: (9) with the K of (7).",
         ),
+        "√(QR) for the variance": (
+            lambda: (0.01 * 0.25) ** 0.25,
+            "You took √(QR), 0.05 °C², for the variance after the reading. That is nearly right for a very small q only: "
+            "solve K² + qK − q = 0, and P = K·R.",
+        ),
         "forgotten memory": (
             lambda: math.sqrt(0.01 * 0.25 / 0.26),
             "0.098 °C is less than the filter can know. Did you exchange Q and R, or fuse Q with R alone? R = 0.25 belongs to the thermometer, and what was left over counts too: P⁻ = P + Q.",

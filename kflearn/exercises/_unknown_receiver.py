@@ -63,6 +63,32 @@ def used_Q(cov):
     return float(factor) if np.all(abs(factors - factor) < 0.05 * abs(factor)) and factor > 0 else None
 
 
+BY_HAND = [
+    (
+        np.var,
+        "Your R is the variance of the readings. The ship moves, and the way that it goes must not be counted as noise: R is the "
+        "variance of the readings' errors.",
+    ),
+    (
+        lambda z: np.mean(np.diff(z) ** 2),
+        "Your R is the mean of the squared differences of neighbours. A difference holds the errors of two readings, 2R, and the way "
+        "that the ship goes in a second, squared.",
+    ),
+    (
+        lambda z: np.var(np.diff(z)),
+        "Your R is the variance of the differences of neighbours, which hold the errors of two readings each: it is about 2 times R.",
+    ),
+]
+
+
+def roots(covs):
+    """Whether the covariances are roots, entry by entry, of those of a filter."""
+    try:
+        return all(one_R(gained(np.square(cov))) is not None for cov in covs)
+    except np.linalg.LinAlgError:
+        return False
+
+
 def named(answers, recordings):
     """What a filter does that can be seen in its covariances: a start, a Q or an R that are not right; else None."""
     covs = [pair(answer)[1] for answer in answers]
@@ -72,6 +98,8 @@ def named(answers, recordings):
         np.allclose(gained(cov, 0 * Q)[:, 1], 0, atol=1e-6 * np.abs(np.linalg.inv(cov[1:20])).max()) for cov in covs
     ):
         return "Your P moves with F but gains no Q. Is Q added in each prediction?"
+    if roots(covs):
+        return "You return the root of P. Return P itself: it holds variances, and its root is no covariance."
     Rs = [one_R(gained(cov)) for cov in covs]
     if any(R is None for R in Rs):
         factors = [used_Q(cov) for cov in covs]
@@ -87,6 +115,9 @@ def named(answers, recordings):
             "R and Q are used as they should be, but your first P does not follow from the start that is given: "
             "N([0, 0], diag(50², 5²)), one second before the first reading."
         )
+    for formula, words in BY_HAND:
+        if np.allclose(Rs, [formula(z) for (z,), _ in recordings], rtol=0.02):
+            return words
     return of_R(np.array(Rs), np.array([np.var(z - truth[:, 0]) for (z,), truth in recordings]))
 
 
@@ -99,13 +130,13 @@ def of_R(used, right):
     if alike and 0.75 < np.median(ratio) < 1.35:
         return None
     if alike:
-        return f"The R of your filter is about {np.median(ratio):.2g} times the variance of the readings: a factor is wrong, or missing."
+        return f"The R of your filter is about {np.median(ratio):.2g} times the variance of the readings' errors: a factor is wrong, or missing."
     if np.exp(np.std(np.log(used / np.sqrt(right)))) < 1.4:
-        return "The R of your filter is about the standard deviation of the readings, in metres. R is a variance: the square."
+        return "The R of your filter is about the standard deviation of the readings' errors, in metres. R is a variance: the square."
     if np.median(ratio) > 1.35 or ratio.max() > 4:
         worst = int(np.argmax(ratio))
         return (
-            f"Your R is too large: in recording {worst + 1} it is {_times(ratio[worst])} times the variance of the readings. "
+            f"Your R is too large: in recording {worst + 1} it is {_times(ratio[worst])} times the variance of the readings' errors. "
             "The ship moves, and the way that it goes must not be counted as noise."
         )
     return (

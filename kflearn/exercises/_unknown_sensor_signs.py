@@ -95,6 +95,32 @@ def constant(answer, answers, recordings):
     return None
 
 
+def waits(answer, answers, recordings):
+    """R̂ that begins to change late."""
+    R, _ = used(answers, recordings)
+    seen = [each[np.isfinite(each)] for each in R]
+    first = np.median([np.argmax(abs(each - each[0]) > 1e-3 * each[0]) for each in seen])
+    if first > 60:
+        return (
+            f"Your R̂ stays at {seen[0][0]:.3g} m² for the first {first:.0f} readings: until then nothing is learnt, and the sensor "
+            "changes earlier. For that a window must be shorter, or R̂ must begin with fewer innovations."
+        )
+    return None
+
+
+def floored(answer, answers, recordings):
+    """R̂ that comes near zero, though its window is long enough."""
+    R, _ = used(answers, recordings)
+    late = np.concatenate([r[settled(truth[:, 2], GOOD)[1:]] for r, (_, truth) in zip(R, recordings, strict=True)])
+    part = 100 * np.mean(late[np.isfinite(late)] < 0.04)
+    if part > 0.5 and not restless([np.maximum(each, 0.05) for each in R], recordings):
+        return (
+            f"Where the sensor is good, your R̂ is below 0.04 m² in {part:.2g} % of the steps: C − HP⁻Hᵀ comes near zero or below "
+            "it, and a reading is then taken for almost exact. Give R̂ a floor of 0.05 m² or more."
+        )
+    return None
+
+
 def learnt(R, recordings):
     """Where R̂ ends after the change, and how many readings that takes: for each new level of R, the median."""
     level, needed = {GOOD: [], BAD: []}, {GOOD: [], BAD: []}
@@ -130,6 +156,11 @@ def follows(answer, answers, recordings):
 
 def ends(good, bad):
     """Where R̂ ends."""
+    if good > 30 and bad > 30:
+        return (
+            f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m². Is that the variance "
+            "of the readings? The cart moves, and its way is no noise. C is the mean of the squared innovations."
+        )
     if 2.5 < bad < 5.5 and good < 2:
         return (
             f"Your R̂ is about {bad:.2g} m² where the sensor's R is 16 m². Is a standard deviation, or a root, in place of a "
@@ -160,4 +191,4 @@ def restless(R, recordings):
 
 
 ORDER = "In another order of your states all of this passes. The order is: position, velocity."
-SIGNS = [predictions(), another_order(MARKS, ORDER), moved, widened, gates, constant, follows]
+SIGNS = [predictions(), another_order(MARKS, ORDER), moved, widened, gates, constant, waits, floored, follows]

@@ -151,6 +151,10 @@ WRONG = {
             lambda x: np.isnan(x).all(),
             "That is the published test again: it says yes only when every entry is unknown.",
         ),
+        "not all": (
+            lambda x: not np.all(x),
+            "`np.all` asks whether every entry differs from 0, and NaN does. A known start of 0 would be unknown to you: ask `np.isnan`.",
+        ),
         "the wrong way round": (lambda x: not np.isnan(x).any(), "Your function says yes when the start is known."),
         "only the first": (lambda x: np.isnan(x[0]), "You look at the first entry only; NaN may sit in any of them."),
         "x == nan": (

@@ -170,6 +170,16 @@ def _before(z, Q, R):
     return np.append(variances[:1], variances[:-1] + Q)
 
 
+def exchanged(answer, answers, recordings):
+    """Whether the variances are those of a filter with Q and R exchanged, whatever the first one is."""
+    pairs = [
+        (flat(a)[1][20:], filtered(z, R, Q)[1][20:]) for a, ((z, Q, R), _) in zip(answers, recordings, strict=True)
+    ]
+    if all(_are_right(mine / other) for mine, other in pairs):
+        return "You exchanged Q and R: before each reading P grows by Q, and the gain is P/(P + R)."
+    return None
+
+
 def goes_away(answers, recordings):
     """Whether the estimates move away from the readings."""
     share = []

@@ -28,6 +28,10 @@ WRONG = {
             lambda z, H, R: (H @ z, H @ R @ H.T),
             "You applied H once more instead of undoing it: z = Hx, so x = H⁻¹z.",
         ),
+        "Hz, P right": (
+            lambda z, H, R: (H @ z, np.linalg.inv(H) @ R @ np.linalg.inv(H).T),
+            "P is right. In x you applied H once more instead of undoing it: z = Hx, so x = H⁻¹z.",
+        ),
         "z for x": (
             lambda z, H, R: (z, np.linalg.inv(H) @ R @ np.linalg.inv(H).T),
             "P is right. But z is the measurement: for the state, undo H here too.",

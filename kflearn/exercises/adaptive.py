@@ -225,7 +225,7 @@ def unknown_sensor(z, F, Q, mean, cov):
     State: position (m) and velocity (m/s). z (T,): readings of the position in m, NaN where there is none. F, Q (2, 2):
     the cart, which is not the lesson's. mean (2,), cov (2, 2): what is known one step before the first reading. The data
     sheet says R = 1 m². At some moment the sensor becomes much worse, or it was much worse before and becomes as good as
-    the sheet says. It is judged after that moment; 45 steps are granted to notice.
+    the sheet says. It is judged after that moment; 45 steps are granted to notice. With a window the floor of R̂ must be 0.05 m² or more.
     """
     x, P, R, recent, means, covs = mean, cov, 1.0, [], [], []
     for reading in z:

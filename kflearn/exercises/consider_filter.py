@@ -62,6 +62,7 @@ from kflearn.exercises.engine import exercise
         ),
     }
     | SLIPS["inflated"],
+    otherwise=lambda R: SLIPS["inflated"]["by the memory"][1] if 9 < R < 11 else None,
     unit="m²",
     then=(
         "For one reading R = 0.34 m² is right. For the mean of a hundred it is not: its variance is 0.09/100 + "

@@ -25,7 +25,18 @@ __all__ = ["LEAD", "Exercise", "Mark", "Message", "Outcome", "exercise", "exerci
 
 
 def exercise(
-    *, hints, wrong=None, inputs=None, unit="", rtol=None, atol=None, then="", fixed=None, also=(), otherwise=None
+    *,
+    hints,
+    wrong=None,
+    inputs=None,
+    unit="",
+    rtol=None,
+    atol=None,
+    then="",
+    fixed=None,
+    also=(),
+    otherwise=None,
+    trials=None,
 ) -> Callable:
     """Make an exercise from its solution function, whose docstring is the question.
 
@@ -54,7 +65,10 @@ def exercise(
     also : list, optional
         Other values that are right, such as one with 1.96 σ where the solution takes 2 σ; or other functions.
     otherwise : function(answer), optional
-        For a value: what to say of an answer that is in no table, such as what it would mean; None for nothing.
+        For a value: what to say of an answer that is in no table, such as what it would mean; None for nothing. For a
+        function it is called with the results and the right ones of all trials.
+    trials : int, optional
+        For a function that takes long: on how few inputs it is tried; then it is called no more often to explain it.
 
     Returns
     -------
@@ -90,7 +104,9 @@ def exercise(
     def make(solution):
         settings = (solution, hints, wrong or {}, unit, rtol, atol, then)
         if inspect.signature(solution).parameters:
-            return FunctionExercise(*settings, inputs, fixed or {}, also)
+            made = FunctionExercise(*settings, inputs, fixed or {}, also, trials)
+            made.otherwise = otherwise
+            return made
         if inputs is not None:
             raise ValueError(f"{solution.__name__}: inputs are given, but the solution has no parameters")
         right = solution()

@@ -120,6 +120,7 @@ def start_beliefs(rng, n):
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
     wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"],
+    also=[lambda mean, variances, normal: mean - np.sqrt(variances) * normal],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )
 def draw_start(mean, variances, normal):

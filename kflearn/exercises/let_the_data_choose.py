@@ -3,11 +3,21 @@
 import numpy as np
 
 from kflearn import fit, random_walk
+from kflearn.exercises import _fitted_R
 from kflearn.exercises._let_the_data_choose import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 ONE = -0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)
+
+
+def near_the_density(answer):
+    """What is said of a rounded density."""
+    if 0.07 < answer < 0.075:
+        return (
+            "That is about the probability density itself, 0.0725. Its logarithm was asked for, which is negative here."
+        )
+    return None
 
 
 @exercise(
@@ -17,6 +27,7 @@ ONE = -0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)
         "`-0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)`",
     ],
     wrong=WRONG["one_reading"],
+    otherwise=near_the_density,
     then="A reading exactly as expected, y = 0, would have −1.72. The largest value there can be falls as S grows: a wide claim costs.",
 )
 def one_reading():
@@ -51,7 +62,7 @@ def log_likelihood(y, S):
 
 @exercise(
     hints=[
-        "Write the sum for one reading on average: y² becomes its mean, 4. So ½·4/R + log 2πR has to be as small as possible.",
+        "Write the sum for one reading on average: y² becomes its mean, 4. So ½·4/R + log R has to be as small as possible; a constant inside the logarithm moves nothing.",
         "The derivative with respect to R is −½·4/R² + 1/R. Where is it zero?",
         "½·4/R² = 1/R gives R = 2.",
     ],
@@ -81,9 +92,9 @@ def doubled():
 
 def walks(rng, T):
     """Readings of a random walk with a known Q."""
-    Q, R = rng.integers(1, 9) / 10, rng.integers(2, 40) / 10
+    Q, R = rng.integers(2, 20) / 10, rng.integers(20, 60) / 10
     z = np.cumsum(rng.normal(0, np.sqrt(Q), T)) + rng.normal(0, np.sqrt(R), T) + rng.integers(-20, 21)
-    z[rng.permutation(np.arange(2, T))[: T // 12]] = np.nan
+    z[rng.permutation(np.arange(2, T))[: T // 4]] = np.nan
     return np.round(z, 2), Q
 
 
@@ -93,9 +104,11 @@ def walks(rng, T):
         "Let `fit` do it: build is a function of R alone, with Q inside it. Or try a hundred values of R from 0.01 to 100, evenly in the logarithm.",
         '`return fit(lambda R: random_walk(Q, R), z, {"R": 1.0}).parameters["R"]`',
     ],
-    inputs=in_turn(walks, 40, 60, 50),
+    inputs=in_turn(walks, 30, 40, 24),
+    trials=6,
     rtol=0.06,
-    wrong=WRONG["fitted_R"],
+    wrong=_fitted_R.WRONG,
+    otherwise=_fitted_R.of_all,
     then="Known parameters stay in `build`, unknown ones are its arguments: so any mixture of both is fitted.",
 )
 def fitted_R(z, Q):

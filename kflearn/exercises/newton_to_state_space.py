@@ -1,9 +1,8 @@
 """Lesson 1: from Newton to the state space."""
 
-import itertools
-
 import numpy as np
 
+from kflearn.exercises._impossible_units import wrong_choices
 from kflearn.exercises._newton_to_state_space import WRONG, first_wrong_row
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_start import WRONG as MORE
@@ -147,25 +146,6 @@ def motion(dt, mass, c):
 def three_sensors():
     """H for a tape in metres, a tape in centimetres and a speedometer in km/h; the state is [p (m), v (m/s)]."""
     return np.array([[1, 0], [100, 0], [0, 3.6]])
-
-
-POSSIBLE = {
-    "B": "B is possible: the corner of Q is the mean of a disturbance of the position times one of the velocity, m · m/s = m²/s.",
-    "D": "D is possible: B₂ is in (m/s)/N, and 1 N is 1 kg·m/s², which leaves s/kg.",
-}
-IMPOSSIBLE = {"A": "Which two units does A add?", "C": "In which unit is a variance?", "E": "What is (m/s²)·s?"}
-
-
-def wrong_choices():
-    """Every set of letters but the right one, with what to say about it: first what is too much, then what is missing."""
-    letters = "ABCDE"
-    for picked in (set(c) for size in range(1, 6) for c in itertools.combinations(letters, size)):
-        too_many = [POSSIBLE[letter] for letter in letters if letter in picked and letter in POSSIBLE]
-        missing = [IMPOSSIBLE[letter] for letter in letters if letter in IMPOSSIBLE and letter not in picked]
-        if too_many:
-            yield picked, f"Not all five. {too_many[0]}" if len(picked) == 5 else " ".join(too_many)
-        elif missing:
-            yield picked, f"Right so far, but {len(missing)} more cannot be right. {missing[0]}"
 
 
 @exercise(

@@ -137,7 +137,17 @@ def auto_start(z, H, R):
         ),
         "variances added": (
             lambda: math.sqrt(8),
-            "You added the variances. When two opinions are fused, the variance becomes smaller than each.",
+            "2.83 V is √8 V. Two mistakes lead to it. Either you added the variances: fusing two opinions makes the variance smaller "
+            "than each. Or you took the 4 in both places for a standard deviation: both are variances, 4 V².",
+        ),
+        "variance of the random walk": (
+            lambda: 4 * 0.618034,
+            "2.47 V² is the variance that the Kalman filter with its random walk comes to, and its gain is 0.618. Here the "
+            "reading is fused with N(12, 4), whose gain is another; and the error is a root.",
+        ),
+        "one part weighed": (
+            lambda: math.sqrt(5),
+            "You weighed one of the two only: (½)²·4 + 4. Both parts are weighed with ½: (½)²·4 + (½)²·4.",
         ),
         "sum of the variances": (
             8.0,
@@ -220,6 +230,7 @@ def best_error():
     then="With the same two numbers Q and R it copes with gaps of any length. Where do Q and R come from, if nobody hands them over? That is lesson 6.",
     passing=judge.PASSING,
     failing=judge.FAILING,
+    signs=[judge.exchanged],
 )
 def whole_filter(z, Q, R):
     """A whole filter: the estimates and their variances for 200 readings z, of which some are NaN, with given Q and R."""

@@ -111,7 +111,7 @@ SAID = [
     ("voltmeter.is_unknown", is_nan, "the same object"),
     ("voltmeter.is_unknown", asks_for_zero, "whether an entry is not zero"),
     ("voltmeter.is_unknown", lambda x: bool(np.isnan(x[0]) or np.isnan(x[1])), "may lie beyond the end"),
-    ("voltmeter.auto_start", one_over_H, "`1 / S` turns over each entry"),
+    ("voltmeter.auto_start", one_over_H, "`1 / H` turns over each entry"),
     ("voltmeter.auto_start", lambda z, H, R: (inv(H) @ z, inv(H) * R * inv(H).T), "`*` multiplies entry by entry"),
     ("tuning_the_ratio.data_sheets", [0.09, 6.25, 0.0208], "in another order"),
     ("tuning_the_ratio.data_sheets", [2.5, 0.09, 0.0625], "(b) is right. In (a) the sheet gives σ"),
