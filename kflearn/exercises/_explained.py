@@ -8,7 +8,8 @@ import re
 import numpy as np
 
 from kflearn.exercises import _code_of, _rules, _rules_inputs
-from kflearn.exercises._answers import fault, parts, told
+from kflearn.exercises._answers import fault, parts
+from kflearn.exercises._raised import told
 from kflearn.exercises._watch import TooLong
 
 FULL = 12  # the entries of a matrix that are looked at one by one

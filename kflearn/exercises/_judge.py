@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kflearn.exercises._answers import arity_fault, show, told, unfinished
+from kflearn.exercises._answers import show, unfinished
 from kflearn.exercises._kinds import Exercise
 from kflearn.exercises._messages import Outcome
+from kflearn.exercises._raised import arity_fault, told
 
 RECORDINGS = 20  # on which a filter is judged
 

@@ -6,9 +6,10 @@ import inspect
 import numpy as np
 
 from kflearn.exercises import _code_of, _rules, progress
-from kflearn.exercises._answers import arity_fault, chosen, fault, is_whole, listed, parts, show, unfinished
+from kflearn.exercises._answers import chosen, fault, is_whole, listed, parts, show, unfinished
 from kflearn.exercises._explained import in_time, raised
 from kflearn.exercises._messages import Message, Outcome
+from kflearn.exercises._raised import arity_fault
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._typed import typed
 from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
