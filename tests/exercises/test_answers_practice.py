@@ -129,7 +129,7 @@ SAID = [
     ("temperature_and_free_fall.room_filter", lambda z, Q, R: room(z, Q, R, P=R**2), "You start with R²"),
     ("temperature_and_free_fall.room_filter", lambda *given: room(*given, once=True), "inside the loop"),
     ("temperature_and_free_fall.room_filter", lambda *given: room(*given, end=-1), "last reading is left out"),
-    ("temperature_and_free_fall.noise", own_noise, "does not depend on normal"),
+    ("temperature_and_free_fall.noise", own_noise, "With other values of normal"),
     ("temperature_and_free_fall.noise", lambda normal, Q: np.sqrt(np.diag(Q)) * normal, "As a column"),
     ("temperature_and_free_fall.honest_report", below_ground, "first moment underground"),
     ("train_and_ship.start_variance", lambda a, b, c: (b - a) ** 2 / 16 + ((a + b) / 2 - c) ** 2, "a quarter of"),
