@@ -87,6 +87,7 @@ def report(tests=True):
 
 
 WHY = {
+    "memory": "its cells keep the tracks of several filters over 500 runs, with all predictions and innovations",
     "smoothed": "the smoother's passes over all means, several for each step of every run, take most of the time",
     "IMM": "three filters and their mixing are many small array operations a step, which Python starts one by one",
     "EKF": "the Jacobians are called from Python at every step, as a learner's own would be",
