@@ -87,11 +87,13 @@ def report(tests=True):
 
 
 WHY = {
+    "fit": "before it climbs, the search looks at first values wrong by many powers of ten, and once more at the end",
     "memory": "its cells keep the tracks of several filters over 500 runs, with all predictions and innovations",
     "smoothed": "the smoother's passes over all means, several for each step of every run, take most of the time",
     "IMM": "three filters and their mixing are many small array operations a step, which Python starts one by one",
     "EKF": "the Jacobians are called from Python at every step, as a learner's own would be",
     "UKF": "the sigma points go through Python functions at every step; dynamax compiles them",
+    "kflearn's filter": "after a gap the gains are computed anew until they rest again",
     "gap": "after a gap the gains are computed anew until they rest again",
     "missing": "after a gap the gains are computed anew until they rest again",
     "key": "most of it is Jupyter's and the browser's own, as the kernel's time beside it shows",
