@@ -8,7 +8,7 @@ from ..core.matrices import compact, congruence
 from ..core.recursion import matvec_each_step
 from ..models.state_space import LinearModel
 from ..results.track import LinearSteps
-from .smoothing import lag_one_covariances, rts_smoother
+from .smoothing import smoothed, with_lag
 
 
 class Disturbances(NamedTuple):
@@ -57,7 +57,7 @@ def disturbances(model, track) -> Disturbances:
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")
     if not isinstance(getattr(track, "_later", None), LinearSteps):
         raise TypeError("track must come from kalman_filter or square_root_kalman_filter")
-    smooth, lag = rts_smoother(model, track), lag_one_covariances(model, track)
+    smooth, lag = with_lag(*smoothed(model, track))
     cov, z = compact(smooth.cov, 3), track._later.z
     left = z - matvec_each_step(model.H, smooth.mean)
     told = _variances(model.R) - _variances(congruence(model.H, cov)[0])

@@ -53,12 +53,7 @@ def rts_smoother(model, track) -> Gaussian:
     >>> print(f"first step: {smooth.mean[0, 0]:.3f} ± {smooth.std[0, 0]:.3f}")
     first step: 1.143 ± 0.690
     """
-    _check_track(model, track)
-    if track.mean.shape[-2] == 1:
-        return track.filtered
-    gain, left, index = _shared(model, track) or _of_each_step(model, track)
-    mean = track.mean + _shifts(track, gain, index)
-    return read_only(unchecked_gaussian(mean, _smoothed_covariances(gain, left, index, track.mean.shape[-2])))
+    return smoothed(model, track)[0]
 
 
 def lag_one_covariances(model, track) -> np.ndarray:
@@ -91,14 +86,26 @@ def lag_one_covariances(model, track) -> np.ndarray:
     >>> print(f"{lag[0, 0, 0]:.4f}")
     0.1905
     """
-    _check_track(model, track)
-    T = track.mean.shape[-2]
-    if T == 1:
-        return np.empty((*track.mean.shape[:-2], 0, model.n, model.n))
-    gain, left, index = _shared(model, track) or _of_each_step(model, track)
-    cov = _smoothed_covariances(gain, left, index, T)
+    return with_lag(*smoothed(model, track))[1]
+
+
+def with_lag(belief, gain, index) -> tuple[Gaussian, np.ndarray]:
+    """What `smoothed` returns as smoothed beliefs, and the covariance of each with the one before."""
+    *batch, T, _ = belief.mean.shape
     gain = gain if index is None else gain[index]
-    return with_batch(cov[..., 1:, :, :] @ gain[..., :-1, :, :].mT, (*track.mean.shape[:-2], T - 1))
+    lag = compact(belief.cov, 3)[..., 1:, :, :] @ gain[..., : T - 1, :, :].mT
+    return belief, with_batch(lag, (*batch, T - 1))
+
+
+def smoothed(model, track):
+    """The smoothed beliefs, and the distinct gains with the index of the steps that have them; None: one each."""
+    _check_track(model, track)
+    if track.mean.shape[-2] == 1:
+        return track.filtered, np.zeros((1, model.n, model.n)), None
+    gain, left, index = _shared(model, track) or _of_each_step(model, track)
+    mean = track.mean + _shifts(track, gain, index)
+    cov = _smoothed_covariances(gain, left, index, track.mean.shape[-2])
+    return read_only(unchecked_gaussian(mean, cov)), gain, index
 
 
 def _shared(model, track):

@@ -33,7 +33,7 @@ class Hill(NamedTuple):
         for number, (i, j) in enumerate(pairs, p):
             mixed = (square[:, number] - square[:, i] - square[:, j]) / (2 * WIDTH**2)
             bend[:, i, j] = bend[:, j, i] = mixed
-        return cls(middle, ((up - down)[:p].T / (2 * WIDTH)), bend)
+        return cls(middle.copy(), ((up - down)[:p].T / (2 * WIDTH)), bend)
 
     def of(self, which) -> "Hill":
         """Those of some of the points."""
@@ -46,30 +46,42 @@ class Hill(NamedTuple):
         return np.matvec(along, ahead)
 
 
-def climb(function, start) -> tuple[np.ndarray, np.ndarray]:
-    """The highest points (N, p) that lie uphill of the points `start`, and whether each was reached, (N,).
+class Peaks(NamedTuple):
+    """Where a climb ended: points (N, p), whether each is a top, (N,), and the hill there. Can be written into."""
+
+    at: np.ndarray
+    reached: np.ndarray
+    hill: Hill
+
+    def put(self, which, others):
+        """Set some of the points (indices), and all that is known of them, to those of other peaks."""
+        for old, new in zip(
+            (self.at, self.reached, *self.hill), (others.at, others.reached, *others.hill), strict=True
+        ):
+            old[which] = new
+
+
+def climb(function, start) -> Peaks:
+    """The highest points (N, p) that lie uphill of the points `start`.
 
     function: (points (M, n, p), which of the N functions, n indices) → (M, n), in coordinates in which a step of 1 is a
     fair one. A point that is flat to within what can be computed counts as reached.
     """
-    at, damping = np.array(start, float), np.full(len(start), LEAST)
-    going = np.arange(len(at))
-    here = Hill.around(partial(function, which=going), at)
+    at, damping, going = np.array(start, float), np.full(len(start), LEAST), np.arange(len(start))
+    hill = Hill.around(partial(function, which=going), at)
     for _ in range(ROUNDS):
+        here = hill.of(going)
         step = here.steps(damping[going])
         step *= (LONGEST / np.maximum(abs(step).max(axis=-1), LONGEST))[:, None]
         more = 0.5 * np.sum(step * here.slope, axis=-1) > ENOUGH
-        going, step, here = going[more], step[more], here.of(more)
+        going, step = going[more], step[more]
         if not len(going):
             break
         there = Hill.around(partial(function, which=going), at[going] + step)
-        better = there.value >= here.value
-        at[going[better]] += step[better]
-        here = Hill(*(np.where(_beside(better, new), new, old) for new, old in zip(there, here, strict=True)))
+        better = there.value >= hill.value[going]
+        risen = going[better]
+        at[risen] += step[better]
+        for old, new in zip(hill, there.of(better), strict=True):
+            old[risen] = new
         damping[going] = np.clip(damping[going] * np.where(better, 0.1, 10), LEAST, None)
-    return at, ~np.isin(np.arange(len(at)), going)
-
-
-def _beside(mask, array):
-    """A mask (N,) that broadcasts with an array (N, …)."""
-    return mask.reshape(-1, *[1] * (array.ndim - 1))
+    return Peaks(at, ~np.isin(np.arange(len(at)), going), hill)

@@ -10,7 +10,7 @@ from ..models import checks as check
 from ..models.arguments import check_series
 from ..models.gaussian import Gaussian
 from ..models.state_space import LinearModel
-from .many import Matrices, Start, forward, halves, times, transposed
+from .many import Matrices, Start, forward, halves, in_a_row, times, transposed
 
 FREE = ("Q", "R", "F", "H")
 
@@ -126,6 +126,8 @@ def em(model, z, initial=None, u=None, *, free=("Q", "R"), rounds=1000, toleranc
     for _ in range(rounds):
         ends = task.forward(matrices)
         values.append(ends.log_likelihood())
+        if len(values) == 1 and not np.isfinite(values[0]).all():
+            raise ValueError(f"z must determine all {model.n} states of the model in every series")
         if rest := len(values) > 1 and bool((values[-1] - values[-2] < tolerance).all()):
             break
         matrices = task.better(matrices, smoothed(ends))
@@ -149,22 +151,18 @@ class Task:
             raise ValueError(f"free must list some of {', '.join(FREE)}, got {free!r}")
         n = model.n
         z, u, batch = check_series(model, z, Gaussian(np.zeros(n), np.eye(n)) if initial is None else initial, u)
-        z = np.broadcast_to(z, (*batch, *z.shape[-2:])).reshape(-1, *z.shape[-2:])
-        push = None if u is None else np.matvec(model.B, u)[..., None]
+        z, push = in_a_row(z, batch), None if u is None else np.matvec(model.B, u)[..., None]
         if initial is None:
-            start = _unknown(model, np.moveaxis(z, 0, -1), push)
+            start = Start.unknown(Matrices.of(model, runs=1), np.moveaxis(z, 0, -1), push)
         else:  # one step earlier, at which nothing was measured
             z = np.concatenate([np.full_like(z[:, :1], np.nan), z], axis=1)
             push = None if push is None else np.concatenate([0 * push[:1], push])
-            mean = np.broadcast_to(initial.mean, (*batch, n)).reshape(-1, n)
-            cov = np.broadcast_to(initial.cov, (*batch, n, n)).reshape(-1, n, n)
-            start = Start(mean.T[:, None], np.moveaxis(cov, 0, -1), True)
+            start = Start.known(initial, batch, resting=True)
         return cls(model, np.moveaxis(z, 0, -1), push, start, free, batch)
 
     def forward(self, matrices):
         """Filter all series."""
-        with np.errstate(all="ignore"):
-            return forward(matrices, self.z, self.push, self.start, keep=True)
+        return forward(matrices, self.z, self.push, self.start, keep=True)
 
     def better(self, matrices, states):
         """The matrices under which the smoothed states and the readings are most probable together."""
@@ -207,18 +205,6 @@ class Task:
         shaped = {name: M.reshape(*self.batch, *M.shape[1:]) if self.batch else M[0, 0] for name, M in learnt.items()}
         values = np.moveaxis(values, 0, -1).reshape(*self.batch, -1)
         return Learnt(self.model.replace(**shaped), values, rest)
-
-
-def _unknown(model, z, push):
-    """A start about which nothing is known, with its first column near the data, so that no digits are lost."""
-    n = model.n
-    X = np.broadcast_to(np.eye(n, n + 1, 1)[:, :, None], (n, n + 1, z.shape[-1]))
-    start = Start(X, np.zeros((n, n, 1)), True)
-    with np.errstate(all="ignore"):
-        near, _ = forward(Matrices.of(model, runs=1), z, push, start).start_after()
-    if not np.isfinite(near).all():
-        raise ValueError(f"z must determine all {n} states of the model in every series")
-    return start._replace(X=np.concatenate([near[:, None], X[:, 1:]], axis=1))
 
 
 def outer(a, b):

@@ -13,9 +13,9 @@ from ..models.arguments import check_series
 from ..models.gaussian import Gaussian
 from ..models.state_space import LinearModel
 from ..results.track import Track
-from .climb import LEAST, Hill, climb
+from .climb import LEAST, climb
 from .family import Family
-from .many import Start, forward
+from .many import Start, forward, in_a_row
 
 SAME = 1e-6  # of a log-likelihood: less is no difference
 DECADES = np.log(10) * np.concatenate([[0], np.arange(-12, 13, 2)])  # by which a parameter is moved at first
@@ -29,7 +29,7 @@ class Fit(Frozen):
         its top (the observed information), in the parameter's own unit; NaN for one that is at its boundary.
     at_boundary: by name, whether the best value of a positive parameter is 0 exactly.
     log_likelihood: at the top. A diffuse start counts log 2π for all measured numbers but the n that fix the states, as
-        KFAS and R do; `log_likelihood_of_all` counts it for every number.
+        KFAS and R do.
     converged: whether the top was reached.
     model, track: the model with these parameters, and its filter's track; of many series the first one's. After a
         diffuse start the track begins with the step at which every state is known.
@@ -39,7 +39,6 @@ class Fit(Frozen):
     standard_errors: Mapping
     at_boundary: Mapping
     log_likelihood: np.ndarray
-    log_likelihood_of_all: np.ndarray
     converged: np.ndarray
     model: LinearModel
     states_without_start: int
@@ -49,6 +48,11 @@ class Fit(Frozen):
     def track(self) -> Track | None:
         """The filter's track with the fitted model; None if it takes all readings to know the states."""
         return self._follow(self.model)
+
+    @property
+    def log_likelihood_of_all(self):
+        """The log-likelihood that counts log 2π for every number, also for those that fix the states."""
+        return self.log_likelihood - self.states_without_start / 2 * np.log(2 * np.pi)
 
     @property
     def aic(self):
@@ -104,18 +108,16 @@ def fit(build, z, start, initial=None, u=None, *, as_is=()) -> Fit:
     --------
     >>> from kflearn import fit, random_walk
     >>> steps = [0.0, 1.2, 0.7, 2.1, 2.9, 2.2, 3.8, 5.1, 4.6, 6.0]
-    >>> fit(random_walk, steps, {"Q": 1.0, "R": 1.0})  # doctest: +SKIP
+    >>> fit(random_walk, steps, {"Q": 1.0, "R": 1.0})
+    Fit(Q = 1.05 ± 0.81; R = 0.0981 ± 0.35; ln L -13.73; converged)
     """
     family = Family(build, start, as_is)
     series = _Series.of(family, z, initial, u)
     function = series.log_likelihood
-    first = np.broadcast_to(family.coordinates(family.first), (series.count, len(family.names)))
-    if not np.isfinite(function(first[None])).all():
-        series.explain()
-    at, reached = climb(function, _scanned(function, series.scaled(first), _each(family)))
-    _look_again(family, function, at, reached)
-    _set_to_zero(family, function, at, reached)
-    return _told(family, series, Hill.around(function, at), at, reached)
+    peaks = climb(function, _scanned(function, series.first(), _each(family)))
+    _look_again(family, function, peaks)
+    _set_to_zero(family, function, peaks)
+    return _told(family, series, peaks)
 
 
 class _Series:
@@ -125,11 +127,12 @@ class _Series:
         self.family, self.z, self.initial, self.u, self.batch = family, z, initial, u, batch
         self.count = len(z)
         self.runs_last = np.moveaxis(z, 0, -1)[:, :, None]  # (T, m, 1, N)
-        self.reference = np.zeros((family.model.n, self.count))
         if initial is None:
-            for _ in range(2):  # the second time the columns start near the data, and lose no digits
-                ends = self._ends(family.first[None, None] + np.zeros((1, self.count, 1)))
-                self.reference = self.reference + np.nan_to_num(ends.start_after()[0][:, 0])
+            matrices = family.matrices(family.first[None, None])
+            self.start = Start.unknown(matrices, self.runs_last, self._push(matrices))
+        else:
+            X, P, _ = Start.known(initial, batch, resting=False)
+            self.start = Start(X[:, :, None], P[:, :, None], False)
 
     @classmethod
     def of(cls, family, z, initial, u):
@@ -138,24 +141,27 @@ class _Series:
         z, u, batch = check_series(family.model, z, known, u)
         if u is not None and u.ndim > 2:
             raise ValueError(f"u must have shape (T, p), the same for all series, got {u.shape}")
-        return cls(family, np.broadcast_to(z, (*batch, *z.shape[-2:])).reshape(-1, *z.shape[-2:]), initial, u, batch)
+        return cls(family, in_a_row(z, batch), initial, u, batch)
 
     def log_likelihood(self, coordinates, which=slice(None)):
         """Of models at coordinates (M, n, p), with the series `which` (n,): (M, n)."""
-        with np.errstate(all="ignore"):
-            return self._ends(self.family.values(coordinates), which).log_likelihood()
+        return self._ends(coordinates, which).log_likelihood()
 
-    def _ends(self, values, which=slice(None)):
-        matrices, start = self.family.matrices(values), self._start()
-        some = Start(*(part[..., which] if part.shape[-1] > 1 else part for part in start[:2]), start.resting)
-        with np.errstate(all="ignore"):  # far from the data much is not finite, and counts as −inf
-            return forward(matrices, self.runs_last[..., which], self._push(matrices), some)
+    def _ends(self, coordinates, which=slice(None)):
+        matrices, (X, P, resting) = self.family.matrices(self.family.values(coordinates)), self.start
+        some = (part[..., which] if part.shape[-1] > 1 else part for part in (X, P))
+        return forward(matrices, self.runs_last[..., which], self._push(matrices), Start(*some, resting))
 
-    def scaled(self, first):
-        """Coordinates (N, p) at which the filters' claims have the size of their innovations, where that helps."""
-        scatter = np.maximum(self._ends(self.family.values(first[None])).scatter()[0], np.finfo(float).tiny)
-        moved = first + np.log(scatter)[:, None] * self.family.positive
-        return np.where((self.log_likelihood(moved[None]) > self.log_likelihood(first[None])).T, moved, first)
+    def first(self):
+        """Coordinates (N, p) of the first values, all positive ones times one factor where that helps."""
+        at = np.tile(self.family.coordinates(self.family.first), (self.count, 1))
+        ends = self._ends(at[None])
+        before = ends.log_likelihood()
+        if not np.isfinite(before).all():
+            self._explain()
+        scatter = np.maximum(ends.scatter()[0], np.finfo(float).tiny)
+        moved = at + np.log(scatter)[:, None] * self.family.positive
+        return np.where((self.log_likelihood(moved[None]) > before).T, moved, at)
 
     def _push(self, matrices):
         if self.u is None:
@@ -163,16 +169,7 @@ class _Series:
         B = np.broadcast_to(matrices.B, (len(self.u), *matrices.B.shape[1:]))
         return np.einsum("tnp...,tp->tn...", B, self.u)
 
-    def _start(self):
-        n = self.family.model.n
-        if self.initial is None:
-            answers = np.broadcast_to(np.eye(n)[:, :, None, None], (n, n, 1, self.count))
-            return Start(np.concatenate([self.reference[:, None, None], answers], axis=1), np.zeros((n, n, 1, 1)), True)
-        mean = np.broadcast_to(self.initial.mean, (*self.batch, n)).reshape(-1, n)
-        cov = np.broadcast_to(self.initial.cov, (*self.batch, n, n)).reshape(-1, n, n)
-        return Start(np.moveaxis(mean, 0, -1)[:, None, None], np.moveaxis(cov, 0, -1)[:, :, None], False)
-
-    def explain(self):
+    def _explain(self):
         """Why there is no likelihood at the start."""
         if self.initial is None:
             for z in self.z:
@@ -210,30 +207,29 @@ def _scanned(function, at, groups, which=slice(None)):
     return at
 
 
-def _look_again(family, function, at, reached):
+def _look_again(family, function, peaks):
     """A positive parameter that became tiny feels no slope any more: from there one looks at other powers of ten."""
-    flat = np.flatnonzero((abs(np.diagonal(Hill.around(function, at).bend, axis1=1, axis2=2)) < LEAST).any(axis=1))
+    flat = np.flatnonzero((abs(np.diagonal(peaks.hill.bend, axis1=1, axis2=2)) < LEAST).any(axis=1))
     if len(flat):
-        better = _scanned(function, at[flat], _each(family), flat)
-        gain = function(better[None], flat)[0] - function(at[None, flat], flat)[0]
-        _climb_some(function, at, reached, flat[gain > SAME], better[gain > SAME])
+        better = _scanned(function, peaks.at[flat], _each(family), flat)
+        more = function(better[None], flat)[0] > peaks.hill.value[flat] + SAME
+        _climb_some(function, peaks, flat[more], better[more])
 
 
-def _set_to_zero(family, function, at, reached):
+def _set_to_zero(family, function, peaks):
     """Positive parameters for which 0 is as probable as the value found become 0, and the others are sought again."""
     for i in np.flatnonzero(family.positive):
-        without = at.copy()
+        without = peaks.at.copy()
         without[:, i] = -np.inf
         if family.possible(family.values(without)[0]):
-            zero = np.flatnonzero(function(without[None])[0] >= function(at[None])[0] - SAME)
-            _climb_some(function, at, reached, zero, without[zero])
+            zero = np.flatnonzero(function(without[None])[0] >= peaks.hill.value - SAME)
+            _climb_some(function, peaks, zero, without[zero])
 
 
-def _climb_some(function, at, reached, which, start):
+def _climb_some(function, peaks, which, start):
     """Climb with some of the series from other places, and note where that leads."""
     if len(which):
-        some = partial(_of_some, function, which)
-        at[which], reached[which] = climb(some, start)
+        peaks.put(which, climb(partial(_of_some, function, which), start))
 
 
 def _of_some(function, some, points, which=slice(None)):
@@ -241,15 +237,14 @@ def _of_some(function, some, points, which=slice(None)):
     return function(points, some[which])
 
 
-def _told(family, series, top, at, reached):
-    """The Fit that belongs to the coordinates `at` (N, p)."""
-    values, p, boundary = family.values(at), at.shape[1], np.isneginf(at)
-    information = np.where(boundary[:, :, None] | boundary[:, None], np.eye(p), -top.bend)
+def _told(family, series, peaks):
+    """The Fit that belongs to the peaks."""
+    values, p, boundary = family.values(peaks.at), len(family.names), np.isneginf(peaks.at)
+    information = np.where(boundary[:, :, None] | boundary[:, None], np.eye(p), -peaks.hill.bend)
     sound = np.linalg.eigvalsh(information)[:, :1] > 0
     variance = np.diagonal(np.linalg.inv(np.where(sound[..., None], information, np.eye(p))), axis1=-2, axis2=-1)
     error = np.sqrt(np.where(sound & ~boundary & (variance > 0), variance, np.nan))
     error = error * np.where(family.positive, values, family.scale)
-    n = family.model.n if series.initial is None else 0
 
     def shaped(array):
         return array.reshape(series.batch)[()]
@@ -261,10 +256,9 @@ def _told(family, series, top, at, reached):
         by_name(values),
         by_name(error),
         by_name(boundary),
-        shaped(top.value),
-        shaped(top.value - n / 2 * np.log(2 * np.pi)),
-        shaped(reached),
+        shaped(peaks.hill.value),
+        shaped(peaks.reached),
         family.at(values[0]),
-        n,
+        family.model.n if series.initial is None else 0,
         series.track,
     )

@@ -9,6 +9,8 @@ import numpy as np
 
 from ..models.state_space import LinearModel
 
+quiet = np.errstate(all="ignore")  # far from the data much is not finite, and counts as −inf
+
 
 class Matrices(NamedTuple):
     """The matrices of many models, each (S, rows, columns, *runs); S is 1 where they are the same at all steps."""
@@ -41,6 +43,25 @@ class Start(NamedTuple):
     P: np.ndarray
     resting: bool
 
+    @classmethod
+    def unknown(cls, matrices, z, push) -> "Start":
+        """A start about which nothing is known, with its first column near the data z, so that no digits are lost."""
+        n, runs = matrices.F.shape[1], z.shape[2:]
+        X = np.zeros((n, n + 1, *runs))
+        X[range(n), range(1, n + 1)] = 1
+        start = cls(X, np.zeros((n, n, *[1] * len(runs))), True)
+        near, _ = forward(matrices, z, push, start).start_after()
+        X[:, 0] = np.where(np.isfinite(near), near, 0)
+        return start
+
+    @classmethod
+    def known(cls, initial, batch, resting) -> "Start":
+        """Gaussians with the axes `batch`, as runs in one row."""
+        n = initial.mean.shape[-1]
+        mean = np.broadcast_to(initial.mean, (*batch, n)).reshape(-1, n)
+        cov = np.broadcast_to(initial.cov, (*batch, n, n)).reshape(-1, n, n)
+        return cls(mean.T[:, None], np.moveaxis(cov, 0, -1), resting)
+
 
 class Kept(NamedTuple):
     """What the way back needs of each step: predicted columns and P, H, S⁻¹ of what was measured, K, S⁻¹ V, and F of
@@ -63,6 +84,7 @@ class Ends(NamedTuple):
     seen: np.ndarray
     kept: list
 
+    @quiet
     def start_after(self):
         """The state at the first measurement, relative to the first column's: mean (n, *runs) and covariance."""
         G = np.moveaxis(self.gram, (0, 1), (-2, -1))
@@ -70,10 +92,12 @@ class Ends(NamedTuple):
         mean = -np.matvec(inverse, G[..., 1:, 0])
         return np.moveaxis(mean, -1, 0), np.moveaxis(inverse, (-2, -1), (0, 1))
 
+    @quiet
     def scatter(self):
         """The mean of the innovations squared, in units of what the filter claims: 1 where its claims are right."""
         return self._parts()[0] / (self.seen - self._n)
 
+    @quiet
     def log_likelihood(self):
         """Of each run, (*runs); a diffuse start counts as in `diffuse_start`. −inf where S is no covariance."""
         rest, log_det = self._parts()
@@ -98,8 +122,17 @@ class Ends(NamedTuple):
         return G[..., 0, 0] - sure, self.log_det + np.linalg.slogdet(inside)[1] + 2 * np.log(scale).sum(axis=-1)
 
 
+def in_a_row(z, batch):
+    """Series (..., T, m) with the axes `batch` as runs in one row, (N, T, m)."""
+    return np.broadcast_to(z, (*batch, *z.shape[-2:])).reshape(-1, *z.shape[-2:])
+
+
+@quiet
 def forward(matrices, z, push, start, keep=False) -> Ends:
-    """Filter the series z (T, m, *runs), NaN where nothing was measured; push: B u (T, n, *runs), or None."""
+    """Filter the series z (T, m, *runs), NaN where nothing was measured; push: B u (T, n, *runs), or None.
+
+    Far from the data much is not finite, without a warning: the log-likelihood is −inf there.
+    """
     runs = np.broadcast_shapes(z.shape[2:], start.X.shape[2:], *(M.shape[3:] for M in matrices if M is not None))
     X, P = np.broadcast_to(start.X, (*start.X.shape[:2], *runs)), start.P
     gram, log_det, kept, lost = 0.0, 0.0, [], np.isnan(z)
@@ -179,8 +212,7 @@ def inverse_and_log_det(S):
 def _inverse(A):
     """A⁻¹ (..., n, n) for positive definite A, in units in which its diagonal is 1; NaN where there is none."""
     scale = np.sqrt(np.diagonal(A, axis1=-2, axis2=-1))
-    with np.errstate(all="ignore"):
-        A = A / scale[..., :, None] / scale[..., None, :]
+    A = A / scale[..., :, None] / scale[..., None, :]
     good = np.isfinite(A).all(axis=(-2, -1)) & (abs(np.linalg.det(np.where(np.isfinite(A), A, 0))) > 0)
     inverse = np.linalg.inv(np.where(good[..., None, None], A, np.eye(A.shape[-1])))
     return np.where(good[..., None, None], inverse, np.nan) / scale[..., :, None] / scale[..., None, :]

@@ -10,6 +10,7 @@ from kflearn import (
     constant_velocity,
     diffuse_start,
     disturbances,
+    examples,
     forecast,
     kalman_filter,
     lag_one_covariances,
@@ -20,8 +21,8 @@ from kflearn import (
     steady_state,
     unscented_kalman_filter,
 )
-from tests.fitting.nile import NILE
 
+NILE = examples.load("nile")["flow"]
 MODEL = LinearModel(
     [[1, 0.5], [0.1, 0.9]], [[1, 0], [0.3, 1]], [[0.3, 0.1], [0.1, 0.2]], [[1, 0.2], [0.2, 2]], B=[[1], [0]]
 )

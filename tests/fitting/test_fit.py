@@ -5,9 +5,9 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import multivariate_normal
 
-from kflearn import Gaussian, LinearModel, constant_velocity, diffuse_start, fit, kalman_filter, random_walk
-from tests.fitting.nile import NILE
+from kflearn import Gaussian, LinearModel, constant_velocity, diffuse_start, examples, fit, kalman_filter, random_walk
 
+NILE = examples.load("nile")["flow"]
 FIRST = {"Q": 1000.0, "R": 10000.0}
 
 
