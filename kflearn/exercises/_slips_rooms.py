@@ -39,6 +39,17 @@ def deviation(old, P, K, R):
     return np.sqrt((1 - K) * P)
 
 
+def made_of(error, sigma):
+    """A report of a fall from error(way, x, z) of the heights, and sigma(cov), both of the moments above the ground."""
+
+    def report(x, z, mean, ignored, cov):
+        above = x[:, 0] > 0
+        errors = [error(way[above, 0], x[above, 0], z[above, 0]) for way in (mean, ignored)]
+        return *errors, sigma(cov[above])
+
+    return report
+
+
 def reported(keep, second, entry, root, last):
     """A report of a fall in which something else is chosen."""
 
@@ -201,38 +212,23 @@ WRONG = {
     },
     "honest_report": {
         "median": (
-            lambda x, z, mean, ignored, cov: (
-                *(np.sqrt(np.median((way - x)[x[:, 0] > 0, 0] ** 2)) for way in (mean, ignored)),
-                np.sqrt(cov[x[:, 0] > 0][-1, 1, 1]),
-            ),
+            made_of(lambda way, x, z: np.sqrt(np.median((way - x) ** 2)), lambda cov: np.sqrt(cov[-1, 1, 1])),
             "Those are medians. Root mean square: square, mean, root; `rmse` does it.",
         ),
         "last errors": (
-            lambda x, z, mean, ignored, cov: (
-                *(abs(way - x)[x[:, 0] > 0][-1, 0] for way in (mean, ignored)),
-                np.sqrt(cov[x[:, 0] > 0][-1, 1, 1]),
-            ),
+            made_of(lambda way, x, z: abs(way - x)[-1], lambda cov: np.sqrt(cov[-1, 1, 1])),
             "Those are the errors at the last moment above. Take the root mean square over all moments above.",
         ),
         "of the readings": (
-            lambda x, z, mean, ignored, cov: (
-                *(rmse(way[x[:, 0] > 0, 0], z[x[:, 0] > 0, 0]) for way in (mean, ignored)),
-                np.sqrt(cov[x[:, 0] > 0][-1, 1, 1]),
-            ),
+            made_of(lambda way, x, z: rmse(way, z), lambda cov: np.sqrt(cov[-1, 1, 1])),
             "You compare with the readings. Errors are measured against the truth, x.",
         ),
         "corner": (
-            lambda x, z, mean, ignored, cov: (
-                *(rmse(way[x[:, 0] > 0, 0], x[x[:, 0] > 0, 0]) for way in (mean, ignored)),
-                np.sqrt(cov[x[:, 0] > 0][-1, 0, 1]),
-            ),
+            made_of(lambda way, x, z: rmse(way, x), lambda cov: np.sqrt(cov[-1, 0, 1])),
             "The errors are right. You took the root of the covariance, entry [0, 1]; the velocity's variance is entry [1, 1].",
         ),
         "mean of σ": (
-            lambda x, z, mean, ignored, cov: (
-                *(rmse(way[x[:, 0] > 0, 0], x[x[:, 0] > 0, 0]) for way in (mean, ignored)),
-                np.mean(np.sqrt(cov[x[:, 0] > 0][:, 1, 1])),
-            ),
+            made_of(lambda way, x, z: rmse(way, x), lambda cov: np.mean(np.sqrt(cov[:, 1, 1]))),
             "The errors are right. The third number is a mean of σ; wanted is σ at the last moment above.",
         ),
     }

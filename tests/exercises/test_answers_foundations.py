@@ -1,21 +1,15 @@
 """What a second stranger answered in lessons 0 to 6: refused, passed or misled; and the rules that came of it."""
 
-from importlib import import_module
-
 import numpy as np
 import pytest
 
 from kflearn.exercises import _code_of
 from kflearn.exercises import _voltmeter_judge as meter
 from kflearn.exercises._typed import typed
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 inv, eye = np.linalg.inv, np.eye
 F, K, means = np.array([[1.0, 1.0], [0.0, 1.0]]), np.array([[0.8], [0.1]]), np.arange(5.0)  # names of a notebook
-
-
-def exercise(name):
-    module, name = name.split(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), name)
 
 
 def predicts_again(x, P, z, H, R):
@@ -76,7 +70,7 @@ RIGHT = [
 
 @pytest.mark.parametrize(("name", "answer"), RIGHT)
 def test_right_answers_pass(name, answer):
-    assert exercise(name).check(answer).status == "right"
+    assert_right(name, answer)
 
 
 SAID = [
@@ -122,8 +116,7 @@ SAID = [
 
 @pytest.mark.parametrize(("name", "answer", "words"), SAID, ids=[f"{row[0]}-{i}" for i, row in enumerate(SAID)])
 def test_wrong_answers_get_their_sentence(name, answer, words):
-    outcome = exercise(name).check(answer)
-    assert outcome.status != "right" and words in outcome.text, outcome.text
+    assert_told(name, answer, words)
 
 
 def loop(z, Q, R, sign=1.0, x=None, again=False):
@@ -154,12 +147,12 @@ OPEN = [
 
 @pytest.mark.parametrize(("design", "words", "not_said"), OPEN, ids=range(len(OPEN)))
 def test_a_filter_s_report_says_what_its_results_show(design, words, not_said):
-    text = exercise("voltmeter.whole_filter").check(design).text
+    text = asked("voltmeter.whole_filter").check(design).text
     assert all(each in text for each in words) and not_said not in text, text
 
 
 def test_a_number_that_does_not_pass_is_not_shown_as_its_bound():
-    mark = exercise("voltmeter.whole_filter").marks[1]
+    mark = asked("voltmeter.whole_filter").marks[1]
     assert (mark.shown(1.0502, False), mark.shown(1.0461, True), mark.shown(0.9, True)) == ("1.0502", "1.05", "0.9")
 
 

@@ -1,7 +1,6 @@
 """What answers to exercises of lessons 19 to 26 must get, after a second stranger had handed in theirs."""
 
 import math
-from importlib import import_module
 
 import numpy as np
 import pytest
@@ -14,6 +13,7 @@ from kflearn.exercises._judge import Mark
 from kflearn.exercises.adaptive import unknown_sensor
 from kflearn.exercises.ball_in_a_video import thrown_ball
 from kflearn.exercises.your_data import ride
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 inv = np.linalg.inv
 H = np.eye(2, 4)
@@ -98,20 +98,14 @@ ANSWERS = [
 ]
 
 
-def asked(name):
-    module, exercise = name.split(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), exercise)
-
-
 @pytest.mark.parametrize(("name", "answer"), RIGHT)
 def test_right(name, answer):
-    assert asked(name).check(answer).status == "right"
+    assert_right(name, answer)
 
 
 @pytest.mark.parametrize(("name", "answer", "words"), ANSWERS)
 def test_own_sentence(name, answer, words):
-    outcome = asked(name).check(answer)
-    assert outcome.status == "wrong" and words in outcome.text, outcome.text
+    assert_told(name, answer, words)
 
 
 def test_a_function_without_source_is_not_said_to_compare_with_nan():

@@ -1,12 +1,11 @@
 """Answers of lessons 13 to 18 that a stranger handed in: what each of them must get."""
 
-from importlib import import_module
-
 import numpy as np
 import pytest
 
 from kflearn.exercises import _radar, _radar_signs
 from kflearn.exercises._radar import F, Q, R, against, converted, extended
+from tests.exercises.hand_in import asked
 
 
 def numerator_only(x):
@@ -146,14 +145,9 @@ ANSWERS = [
 ]
 
 
-def checked(name, answer):
-    module, exercise = name.split(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), exercise).check(answer)
-
-
 @pytest.mark.parametrize(("name", "answer", "status", "words"), ANSWERS)
 def test_answer(name, answer, status, words):
-    outcome = checked(name, answer)
+    outcome = asked(name).check(answer)
     assert outcome.status == status, outcome.text
     assert words in outcome.text, outcome.text
 
@@ -173,5 +167,5 @@ def test_the_short_way_round_is_named_in_another_filter_too():
     def slow_gain(z, mean, cov):
         return extended(z, mean, cov, wrap=False, R=1.01 * R)
 
-    text = checked(OPEN, slow_gain).text
+    text = asked(OPEN).check(slow_gain).text
     assert "There π and −π meet" in text, text

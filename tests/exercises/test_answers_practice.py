@@ -1,7 +1,5 @@
 """What a second stranger answered in lessons 7 to 12: what was refused, passed or misled, or had no own sentence."""
 
-from importlib import import_module
-
 import numpy as np
 import pytest
 
@@ -10,13 +8,9 @@ from kflearn.exercises import _cart_with_gaps as cart
 from kflearn.exercises import _unknown_receiver as ship
 from kflearn.exercises._combined import combined
 from kflearn.exercises._speaker import gate
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 eig = np.linalg.eigvalsh
-
-
-def exercise(name):
-    module, name = name.split(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), name)
 
 
 def cholesky(P):
@@ -94,8 +88,7 @@ RIGHT = [
 
 @pytest.mark.parametrize(("name", "answer"), RIGHT)
 def test_right_answers_pass(name, answer):
-    outcome = exercise(name).check(answer)
-    assert outcome.status == "right", outcome.text
+    assert_right(name, answer)
 
 
 SAID = [
@@ -144,8 +137,7 @@ SAID = [
 
 @pytest.mark.parametrize(("name", "answer", "words"), SAID, ids=[f"{row[0]}-{i}" for i, row in enumerate(SAID)])
 def test_wrong_answers_get_their_sentence(name, answer, words):
-    outcome = exercise(name).check(answer)
-    assert outcome.status != "right" and words in outcome.text, outcome.text
+    assert_told(name, answer, words)
 
 
 def scaled(z):
@@ -196,16 +188,16 @@ OPEN = [
 
 @pytest.mark.parametrize(("name", "design", "words", "not_said"), OPEN, ids=[f"{r[0]}-{i}" for i, r in enumerate(OPEN)])
 def test_reports_name_what_can_be_seen(name, design, words, not_said):
-    text = exercise(name).check(design).text
+    text = asked(name).check(design).text
     assert "✗" in text and text.count(words) == 1 and not_said not in text, text
 
 
 def test_the_cart_that_predicts_in_the_gaps_passes():
-    assert exercise("train_and_ship.cart_with_gaps").check(cart_in_gaps()).status == "right"
+    assert asked("train_and_ship.cart_with_gaps").check(cart_in_gaps()).status == "right"
 
 
 def test_a_median_that_looks_ahead_is_not_called_late():
-    speaker = exercise("readings_that_lie.speaker")
+    speaker = asked("readings_that_lie.speaker")
     assert "looks at later readings" in speaker.check(speaker.passing["median of 31, both sides"]).text
 
 
@@ -215,7 +207,7 @@ def test_one_thing_is_said_once():
         errors = [np.mean((way - x)[a, 0] ** 2) for way in (mean, ignored)]
         return *errors, np.sqrt(cov[a][-1, 1, 1])
 
-    text = exercise("temperature_and_free_fall.honest_report").check(squares).text
+    text = asked("temperature_and_free_fall.honest_report").check(squares).text
     assert text.count("is the square of") == 1 and "The same holds of value 2" in text
 
 

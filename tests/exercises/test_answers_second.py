@@ -1,7 +1,6 @@
 """What answers must get that a third group of strangers handed in, for the second set of their answers."""
 
 import time
-from importlib import import_module
 
 import numpy as np
 import pytest
@@ -11,13 +10,9 @@ from kflearn.exercises import _fitted_R, _unknown_sensor, _watch
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises._thrown_ball import KICK, motion
 from kflearn.exercises.engine import exercise
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 inv = np.linalg.inv
-
-
-def asked(name):
-    module, exercise = name.split(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), exercise)
 
 
 def written(text, **space):
@@ -218,13 +213,12 @@ ANSWERS = [
 
 @pytest.mark.parametrize(("name", "answer"), RIGHT)
 def test_right(name, answer):
-    assert asked(name).check(answer).status == "right"
+    assert_right(name, answer)
 
 
 @pytest.mark.parametrize(("name", "answer", "words"), ANSWERS)
 def test_own_sentence(name, answer, words):
-    outcome = asked(name).check(answer)
-    assert outcome.status == "wrong" and words in outcome.text, outcome.text
+    assert_told(name, answer, words)
 
 
 def test_nothing_is_said_twice():

@@ -1,7 +1,5 @@
 """What a stranger answered in lessons 0 to 11: what was refused, passed or misled."""
 
-from importlib import import_module
-
 import numpy as np
 import pytest
 
@@ -9,13 +7,9 @@ from kflearn.exercises import _cart_with_gaps as cart
 from kflearn.exercises import _unknown_receiver as ship
 from kflearn.exercises import _voltmeter_judge as meter
 from kflearn.exercises._speaker import gate
+from tests.exercises.hand_in import asked
 
 inv = np.linalg.inv
-
-
-def exercise(name):
-    module, name = name.split(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), name)
 
 
 def corrected(x, P, z, H, R, R_gain=1, expected=None):
@@ -66,7 +60,7 @@ RIGHT = [
 
 @pytest.mark.parametrize(("name", "answer"), RIGHT)
 def test_right_answers_pass(name, answer):
-    assert exercise(name).check(answer).status == "right"
+    assert asked(name).check(answer).status == "right"
 
 
 SAID = [
@@ -109,7 +103,7 @@ SAID = [
 
 @pytest.mark.parametrize(("name", "answer", "words"), SAID, ids=[f"{row[0]}-{i}" for i, row in enumerate(SAID)])
 def test_wrong_answers_get_their_sentence(name, answer, words):
-    outcome = exercise(name).check(answer)
+    outcome = asked(name).check(answer)
     assert outcome.status != "right" and words in outcome.text, outcome.text
 
 
@@ -135,5 +129,5 @@ OPEN = [
 
 @pytest.mark.parametrize(("name", "design", "words", "not_said"), OPEN, ids=[f"{r[0]}-{i}" for i, r in enumerate(OPEN)])
 def test_open_exercises_say_what_the_results_show(name, design, words, not_said):
-    text = exercise(name).check(design).text
+    text = asked(name).check(design).text
     assert words in text and not_said not in text, text

@@ -1,13 +1,13 @@
 """Answers of lessons 12 to 25 that a stranger handed in: what each of them must get."""
 
 import math
-from importlib import import_module
 
 import numpy as np
 import pytest
 
 from kflearn.exercises import _thrown_ball, _unknown_sensor
 from kflearn.exercises.adaptive import unknown_sensor
+from tests.exercises.hand_in import asked
 
 inv = np.linalg.inv
 
@@ -78,20 +78,19 @@ ANSWERS = [
 @pytest.mark.parametrize(("name", "answer", "status", "words"), ANSWERS)
 @pytest.mark.filterwarnings("ignore:divide by zero")
 def test_fresh_answer(name, answer, status, words):
-    module, exercise = name.split(".")
-    outcome = getattr(import_module(f"kflearn.exercises.{module}"), exercise).check(answer)
+    outcome = asked(name).check(answer)
     assert outcome.status == status, outcome.text
     assert words in outcome.text
 
 
 def test_a_name_keeps_its_small_letter():
-    exercise = import_module("kflearn.exercises.linearised_and_extended").linearised_correction
+    exercise = asked("linearised_and_extended.linearised_correction")
     text = exercise.check(lambda x, P, reading, nominal: (exercise._solve(x, P, reading, nominal)[0], P)).text
     assert "Your x is right." in text
 
 
 def test_an_argument_that_cancels_is_not_called_unused():
-    exercise = import_module("kflearn.exercises.smoothing").step_back
+    exercise = asked("smoothing.step_back")
     cancels = exercise.check(lambda x, P, F, Q, x_next, P_next: (x - x + F @ x_next, P + F @ P_next @ F.T + Q)).text
     assert "does not depend on" not in cancels
     assert "does not depend on" in exercise.check(lambda x, P, F, Q, x_next, P_next: (x_next + x, P_next + P + Q)).text

@@ -2,10 +2,11 @@
 
 import math
 from fractions import Fraction
-from importlib import import_module
 
 import numpy as np
 import pytest
+
+from tests.exercises.hand_in import asked
 
 inv = np.linalg.inv
 K = 0.2207
@@ -177,14 +178,9 @@ RIGHT = {
 }
 
 
-def found(name):
-    module, _, each = name.rpartition(".")
-    return getattr(import_module(f"kflearn.exercises.{module}"), each)
-
-
 @pytest.mark.parametrize("name", RIGHT)
 def test_right_forms_pass(name):
-    outcomes = [found(name).check(answer) for answer in RIGHT[name]]
+    outcomes = [asked(name).check(answer) for answer in RIGHT[name]]
     assert [outcome.text for outcome in outcomes if outcome.status != "right"] == []
 
 
@@ -203,7 +199,7 @@ WRONG = {
 
 @pytest.mark.parametrize("name", WRONG)
 def test_what_was_accepted_once_is_refused(name):
-    assert all(found(name).check(answer).status in ("wrong", "raised") for answer in WRONG[name])
+    assert all(asked(name).check(answer).status in ("wrong", "raised") for answer in WRONG[name])
 
 
 def compares(x):
@@ -219,6 +215,6 @@ def asks_for_none(x):
 
 
 def test_who_has_not_compared_hears_nothing_of_equality():
-    each = found("voltmeter.is_unknown")
+    each = asked("voltmeter.is_unknown")
     assert "x == np.nan" in each.check(compares).text
     assert all("==" not in each.check(answer).text for answer in (asks_too_late, asks_for_none))
