@@ -17,7 +17,7 @@ import kflearn
 from kflearn import fit, random_walk
 
 TARGET = Path(kflearn.__file__).parent / "course" / "data" / "how_well.csv"
-LENGTHS, TRUE, SERIES, AT_ONCE = (25, 50, 100, 200, 400), (0.0, 0.01, 0.1, 1.0, 10.0), 10_000, 2_000
+LENGTHS, TRUE, SERIES, AT_ONCE = (25, 50, 100, 200, 400, 1000), (0.0, 0.01, 0.1, 1.0, 10.0), 10_000, 2_000
 COLUMNS = ["T", "Q", "mean_Q", "low_Q", "median_Q", "high_Q", "share_zero", "inside", "inside_log"]
 COLUMNS += ["mean_R", "low_R", "median_R", "high_R", "inside_R"]
 

@@ -184,21 +184,21 @@ def mixture_cov(p, means, covs):
 
 @exercise(
     hints=[
-        "Both would make R̂ large. What does a sensor with larger noise do to the correlation of neighbours, and what does a motion do?",
+        "Both would make R̂ large. What does larger white noise do to the correlation of neighbours, and what does a motion do?",
         "The noise of a sensor is nearly white. Neighbours that are correlated by 0.85 are one motion, read again and again.",
         "Until 3.5 s the neighbours are strongly correlated, so it is the motion: B.",
     ],
     wrong={
         "noise": (
             "A",
-            "Noise that is larger would still be white: neighbours near 0, as they are from 4.6 s on. Here they are strongly correlated.",
+            "White noise has neighbours near 0, as they are from 4.6 s on. Here they are strongly correlated.",
         ),
         "cannot be told": (
             "C",
             "R̂ and the NIS cannot tell it. But a third number is printed, and it differs between the two stretches.",
         ),
     },
-    then="The file says the same: the board was moved until 3.6 s. A model that can turn, with a Q for turning, would have followed it.",
+    then="Noise that is nearly white does not correlate by 0.85. (Noise with a memory of several readings would; but the board is at rest later, and there the same sensor's noise is white.) A model that can turn, with a Q for turning, would have followed it.",
 )
 def moved_or_noisy():
     """R̂ is huge until 3.5 s: noise of the sensor, motion of the board, or can it not be told?"""

@@ -27,7 +27,7 @@ class Family:
         self.positive = (self.first > 0) & [name not in as_is for name in start]
         self.scale = np.where(self.first == 0, 1, abs(self.first))
         self.model = self.at(self.first)
-        self._base, self._slopes = self._straight()
+        self._rest, self._slopes = self._straight()
 
     def at(self, values) -> LinearModel:
         """The model with parameters (p,)."""
@@ -51,9 +51,8 @@ class Family:
         """The matrices of the models with parameters values (*runs, p)."""
         runs = values.shape[:-1]
         if self._slopes is not None:
-            change = np.moveaxis(values - self.first, -1, 0)
-            parts = [_moved(base, slope, change) for base, slope in zip(self._base, self._slopes, strict=True)]
-            return Matrices(*parts)
+            each = np.moveaxis(values, -1, 0)
+            return Matrices(*(_sum(rest, slope, each) for rest, slope in zip(self._rest, self._slopes, strict=True)))
         built = [Matrices.of(self.at(each)) for each in values.reshape(-1, len(self.names))]
         return Matrices(*(_side_by_side(M, runs) for M in zip(*built, strict=True)))
 
@@ -65,24 +64,24 @@ class Family:
             return False
 
     def _straight(self):
-        """The matrices at first, and by how much each parameter moves them; (None, None) where that is not all."""
-        base = Matrices.of(self.model)
-        slopes = []
+        """The matrices with all parameters 0, and what each parameter adds times its value; (None, None) where they are
+        no such sums."""
+        base, slopes = Matrices.of(self.model), []
         for i, value in enumerate(self.first):
             moved = self.first.copy()
             moved[i] = 2 * value if value else 1.0
             if not self.possible(moved):
                 return None, None
             slopes.append(_differences(Matrices.of(self.at(moved)), base, moved[i] - value))
+        slopes = [None if parts[0] is None else np.stack(parts) for parts in zip(*slopes, strict=True)]
+        rest = [_rest(M, slope, self.first) for M, slope in zip(base, slopes, strict=True)]
         trial = self.first * (1 + np.arange(1, len(self.first) + 1) / 7) + (self.first == 0) / 3
         if not self.possible(trial):
             return None, None
-        slopes = [None if parts[0] is None else np.stack(parts) for parts in zip(*slopes, strict=True)]
-        change, real = trial - self.first, Matrices.of(self.at(trial))
-        for M, first, slope in zip(real, base, slopes, strict=True):
-            if M is not None and (M.shape != first.shape or not _same(M, first + np.tensordot(change, slope, 1))):
+        for M, left, slope in zip(Matrices.of(self.at(trial)), rest, slopes, strict=True):
+            if M is not None and (M.shape != left.shape or not _same(M, left + np.tensordot(trial, slope, 1))):
                 return None, None
-        return base, slopes
+        return rest, slopes
 
 
 def _differences(moved, base, by):
@@ -93,12 +92,20 @@ def _same(A, B):
     return (abs(A - B) <= 1e-12 * np.maximum(abs(A), abs(B)).max()).all()
 
 
-def _moved(base, slope, change):
-    """base (S, r, c) plus what the change (p, *runs) makes of it: (S, r, c, *runs), or without runs if nothing."""
+def _rest(base, slope, first):
+    """What is left of the matrices (S, r, c) when all parameters are 0; what only rounding leaves is 0 too."""
     if base is None:
         return None
-    lead = base.reshape(*base.shape, *[1] * (change.ndim - 1))
-    return lead + np.tensordot(np.moveaxis(slope, 0, -1), change, 1) if slope.any() else lead
+    left = base - np.tensordot(first, slope, 1)
+    return np.where(abs(left) <= 1e-13 * abs(base), 0, left)
+
+
+def _sum(rest, slope, each):
+    """rest (S, r, c) plus slope (p, S, r, c) times the parameters (p, *runs): (S, r, c, *runs), or without runs."""
+    if rest is None:
+        return None
+    lead = rest.reshape(*rest.shape, *[1] * (each.ndim - 1))
+    return lead + np.tensordot(np.moveaxis(slope, 0, -1), each, 1) if slope.any() else lead
 
 
 def _side_by_side(matrices, runs):

@@ -27,7 +27,8 @@ class Fit(Frozen):
 
     parameters: the most probable ones, by name. standard_errors: of each, from the curvature of the log-likelihood at
         its top (the observed information), in the parameter's own unit; NaN for one that is at its boundary.
-    at_boundary: by name, whether the best value of a positive parameter is 0 exactly.
+    at_boundary: by name, whether 0 is the best value of a positive parameter. It is 0 exactly then, or, where a model
+        must not have 0 there (as R), so small that a hundred times as much would do as well.
     log_likelihood: at the top. A diffuse start counts log 2π for all measured numbers but the n that fix the states, as
         KFAS and R do.
     converged: whether the top was reached.
@@ -226,6 +227,16 @@ def _set_to_zero(family, function, peaks):
             _climb_some(function, peaks, zero, without[zero])
 
 
+def _at_boundary(family, function, peaks):
+    """Which positive parameters are 0, or so small that a hundred times as much would do as well, (N, p)."""
+    found = np.zeros(peaks.at.shape, bool)
+    for i in np.flatnonzero(family.positive):
+        larger = peaks.at.copy()
+        larger[:, i] += np.log(100)
+        found[:, i] = function(larger[None])[0] >= peaks.hill.value - SAME
+    return found
+
+
 def _climb_some(function, peaks, which, start):
     """Climb with some of the series from other places, and note where that leads."""
     if len(which):
@@ -239,7 +250,7 @@ def _of_some(function, some, points, which=slice(None)):
 
 def _told(family, series, peaks):
     """The Fit that belongs to the peaks."""
-    values, p, boundary = family.values(peaks.at), len(family.names), np.isneginf(peaks.at)
+    values, p, boundary = family.values(peaks.at), len(family.names), _at_boundary(family, series.log_likelihood, peaks)
     information = np.where(boundary[:, :, None] | boundary[:, None], np.eye(p), -peaks.hill.bend)
     sound = np.linalg.eigvalsh(information)[:, :1] > 0
     variance = np.diagonal(np.linalg.inv(np.where(sound[..., None], information, np.eye(p))), axis1=-2, axis2=-1)

@@ -45,13 +45,19 @@ class Start(NamedTuple):
 
     @classmethod
     def unknown(cls, matrices, z, push) -> "Start":
-        """A start about which nothing is known, with its first column near the data z, so that no digits are lost."""
+        """A start about which nothing is known.
+
+        Its first column goes through as many readings as it takes to know the state: so no digits are lost, whatever R.
+        """
         n, runs = matrices.F.shape[1], z.shape[2:]
         X = np.zeros((n, n + 1, *runs))
         X[range(n), range(1, n + 1)] = 1
         start = cls(X, np.zeros((n, n, *[1] * len(runs))), True)
-        near, _ = forward(matrices, z, push, start).start_after()
-        X[:, 0] = np.where(np.isfinite(near), near, 0)
+        for steps in range(1, len(z) + 1):
+            near, _ = forward(matrices, z[:steps], push, start).start_after()
+            if np.isfinite(near).all():
+                X[:, 0] = near
+                break
         return start
 
     @classmethod

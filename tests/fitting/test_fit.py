@@ -57,7 +57,7 @@ def test_the_unit_does_not_matter(factor):
     assert ratios[1] == pytest.approx(ratios[0], rel=1e-6)
 
 
-@pytest.mark.parametrize("first", [(1, 1), (1e8, 1), (1e-6, 1e6), (1e3, 1e-5), (1e-9, 1e12)])
+@pytest.mark.parametrize("first", [(1, 1), (1e8, 1), (1e-6, 1e6), (1e3, 1e-5), (1e-9, 1e12), (1e20, 1e18)])
 def test_the_start_does_not_matter(first):
     found = fit(random_walk, NILE, dict(zip("QR", first, strict=True)))
     assert numbers(found) == pytest.approx([1469.18, 15098.5], rel=1e-5)
@@ -69,6 +69,15 @@ def test_white_noise_is_at_the_boundary():
     assert found.parameters["Q"] == 0 and found.at_boundary == {"Q": True, "R": False}
     assert found.parameters["R"] == pytest.approx(np.var(z, ddof=1), rel=1e-6)
     assert np.isnan(found.standard_errors["Q"]) and "Q = 0, at its boundary" in repr(found)
+
+
+def test_an_R_next_to_nothing_is_at_the_boundary():
+    """A random walk read without errors: R must not be 0, but nothing speaks for more."""
+    z = np.cumsum(np.random.default_rng(0).normal(0, 1, 60))
+    z += 0.3 * np.append(0, np.diff(z))  # neighbours of its steps are alike, where an R would make them opposed
+    found = fit(random_walk, z, {"Q": 1.0, "R": 1.0})
+    assert found.at_boundary == {"Q": False, "R": True} and 0 < found.parameters["R"] < 1e-6
+    assert np.isnan(found.standard_errors["R"]) and found.standard_errors["Q"] > 0
 
 
 def test_local_linear_trend():
