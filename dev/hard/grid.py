@@ -19,8 +19,8 @@ from kflearn.ui.controls import Slider
 ROOT = Path(__file__).parents[2]
 MOST = 250  # settings of a playground
 KERNELS = 2  # at once
-START = "from dev.hard import grid"
-SWEEP = "print(*(grid.everywhere(thing, {most}) for thing in grid.shown(globals())))"
+START = "from dev.hard import grid as _grid"  # a lesson may have a name "grid" of its own
+SWEEP = "print(*(_grid.everywhere(thing, {most}) for thing in _grid.shown(globals())))"
 
 
 def lines(quick):
