@@ -236,3 +236,12 @@ def test_considering_nothing_is_the_kalman_filter_and_everything_is_predicting()
     close(deaf.cov, kalman_filter(model, np.full((9, 2), np.nan), initial).cov)
     with pytest.raises(ValueError, match="cannot be smoothed"):
         rts_smoother(model, deaf)
+
+
+def test_a_state_alone_may_be_considered_too():
+    """Nothing is estimated: the prediction stays, whatever is read."""
+    model, start = random_walk(2, 9), Gaussian(5, 4)
+    track = schmidt_kalman_filter(model, [50.0, -20.0, 7.0], start, considered=[0])
+    np.testing.assert_allclose(track.mean[:, 0], 5, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(track.cov[:, 0, 0], [6, 8, 10], rtol=1e-12)
+    assert not track.gain.any()
