@@ -9,6 +9,7 @@ import numpy as np
 
 from ..models.state_space import LinearModel
 
+OPEN = 1e-10  # of what readings tell, in units in which it is 1: less comes from rounding
 quiet = np.errstate(all="ignore")  # far from the data much is not finite, and counts as −inf
 
 
@@ -48,15 +49,17 @@ class Start(NamedTuple):
         """A start about which nothing is known.
 
         Its first column goes through as many readings as it takes to know the state: so no digits are lost, whatever R.
+        It is sought without noise of the states, under which the readings' weights do not differ by powers of ten.
         """
         n, runs = matrices.F.shape[1], z.shape[2:]
         X = np.zeros((n, n + 1, *runs))
         X[range(n), range(1, n + 1)] = 1
-        start = cls(X, np.zeros((n, n, *[1] * len(runs))), True)
+        start, still = cls(X, np.zeros((n, n, *[1] * len(runs))), True), matrices._replace(Q=0 * matrices.Q)
         for steps in range(1, len(z) + 1):
-            near, _ = forward(matrices, z[:steps], push, start).start_after()
-            if np.isfinite(near).all():
-                X[:, 0] = near
+            ends = forward(still, z[:steps], push, start)
+            if ends.tell_the_start() or steps == len(z):
+                near, _ = ends.start_after()
+                X[:, 0] = np.where(np.isfinite(near), near, 0)
                 break
         return start
 
@@ -99,6 +102,14 @@ class Ends(NamedTuple):
         return np.moveaxis(mean, -1, 0), np.moveaxis(inverse, (-2, -1), (0, 1))
 
     @quiet
+    def tell_the_start(self):
+        """Whether the readings leave nothing of the state at the first one open, in all runs."""
+        inside, _ = self._scaled()
+        known = np.isfinite(inside).all(axis=(-2, -1))
+        least = np.linalg.eigvalsh(np.where(known[..., None, None], inside, 0))[..., 0]
+        return bool((least > OPEN).all())
+
+    @quiet
     def scatter(self):
         """The mean of the innovations squared, in units of what the filter claims: 1 where its claims are right."""
         return self._parts()[0] / (self.seen - self._n)
@@ -120,12 +131,17 @@ class Ends(NamedTuple):
         G = np.moveaxis(self.gram, (0, 1), (-2, -1))
         if not self._n:
             return G[..., 0, 0], self.log_det
-        scale = np.sqrt(np.diagonal(G, axis1=-2, axis2=-1)[..., 1:])
-        inside = G[..., 1:, 1:] / scale[..., :, None] / scale[..., None, :]
-        inside = np.where(np.isfinite(inside), inside, np.nan)
+        inside, scale = self._scaled()
         right = G[..., 1:, 0] / scale
         sure = np.sum(right * np.linalg.solve(inside, right[..., None])[..., 0], axis=-1)
         return G[..., 0, 0] - sure, self.log_det + np.linalg.slogdet(inside)[1] + 2 * np.log(scale).sum(axis=-1)
+
+    def _scaled(self):
+        """What the readings tell of the start (*runs, n, n), in units in which its diagonal is 1, and these units."""
+        G = np.moveaxis(self.gram, (0, 1), (-2, -1))[..., 1:, 1:]
+        scale = np.sqrt(np.diagonal(G, axis1=-2, axis2=-1))
+        inside = G / scale[..., :, None] / scale[..., None, :]
+        return np.where(np.isfinite(inside), inside, np.nan), scale
 
 
 def in_a_row(z, batch):
