@@ -9,7 +9,7 @@ import numpy as np
 
 from ..models.state_space import LinearModel
 
-OPEN = 1e-10  # of what readings tell, in units in which it is 1: less comes from rounding
+SURE, OPEN = 1e-10, 1e-13  # of what readings tell, in units in which it is 1: enough digits; nothing but rounding
 quiet = np.errstate(all="ignore")  # far from the data much is not finite, and counts as −inf
 
 
@@ -57,10 +57,11 @@ class Start(NamedTuple):
         start, still = cls(X, np.zeros((n, n, *[1] * len(runs))), True), matrices._replace(Q=0 * matrices.Q)
         for steps in range(1, len(z) + 1):
             ends = forward(still, z[:steps], push, start)
-            if ends.tell_the_start() or steps == len(z):
-                near, _ = ends.start_after()
-                X[:, 0] = np.where(np.isfinite(near), near, 0)
+            if (told := ends.told_of_the_start()) > SURE:
                 break
+        if not told > OPEN:
+            raise ValueError(f"z must determine all {n} states of the model in every series")
+        X[:, 0] = ends.start_after()[0]
         return start
 
     @classmethod
@@ -102,12 +103,11 @@ class Ends(NamedTuple):
         return np.moveaxis(mean, -1, 0), np.moveaxis(inverse, (-2, -1), (0, 1))
 
     @quiet
-    def tell_the_start(self):
-        """Whether the readings leave nothing of the state at the first one open, in all runs."""
+    def told_of_the_start(self) -> float:
+        """How much the readings tell of the state at the first one, in the direction and the run of which least."""
         inside, _ = self._scaled()
         known = np.isfinite(inside).all(axis=(-2, -1))
-        least = np.linalg.eigvalsh(np.where(known[..., None, None], inside, 0))[..., 0]
-        return bool((least > OPEN).all())
+        return float(np.linalg.eigvalsh(np.where(known[..., None, None], inside, 0)).min())
 
     @quiet
     def scatter(self):

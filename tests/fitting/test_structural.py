@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kflearn import Gaussian, LinearModel, diffuse_start, examples, fit, kalman_filter
+from kflearn import Gaussian, LinearModel, diffuse_start, em, examples, fit, kalman_filter
 from kflearn.fitting.family import Family
 from kflearn.fitting.fit import _Series
 
@@ -156,3 +156,15 @@ def test_no_top_is_made_of_rounding_errors():
 
 def two_only(R, level):
     return seasonal(R, level, 0, 0)
+
+
+@pytest.mark.parametrize("H", [[[1.0, 1.0]], [[0.1, 0.3]]])
+def test_a_state_that_no_reading_tells_apart_is_named(H):
+    """Two levels of which only a sum is seen; with 0.1 and 0.3 rounding hides it."""
+
+    def build(Q, R):
+        return LinearModel(np.eye(2), H, Q * np.eye(2), R)
+
+    for call in (lambda: fit(build, NILE, dict(Q=1.0, R=1.0)), lambda: em(build(1.0, 1.0), NILE)):
+        with pytest.raises(ValueError, match="z must determine all 2 states of the model in every series"):
+            call()
