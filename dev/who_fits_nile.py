@@ -1,6 +1,6 @@
 """What other libraries answer, when they are asked for R and Q of the Nile by their defaults.
 
-    python -m dev.who_fits_nile          makes build/who-fits-nile when it is first asked for: some 900 MB
+    python -m dev.who_fits_nile          makes build/who-fits-nile when it is first asked for: some 1.1 GB
 
 Each is asked three times: for the hundred readings, for the same times 1000, and for white noise, whose Q is 0. They
 run as pinned in who_fits_nile.txt, in an environment of their own, where this file is started once for each library
