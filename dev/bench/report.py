@@ -87,7 +87,8 @@ def report(tests=True):
 
 
 WHY = {
-    "fit": "before it climbs, the search looks at first values wrong by many powers of ten, and once more at the end",
+    "fit": "the filter's steps are array operations, which Python starts one by one where statsmodels' are compiled; "
+    "and the search looks at first values wrong by many powers of ten before it climbs, and once more at the end",
     "memory": "its cells keep the tracks of several filters over 500 runs, with all predictions and innovations",
     "smoothed": "the smoother's passes over all means, several for each step of every run, take most of the time",
     "IMM": "three filters and their mixing are many small array operations a step, which Python starts one by one",

@@ -25,7 +25,7 @@ import numpy as np
 
 from .recordings import Recording, RecordingError, read
 
-__all__ = ["NAMES", "Example", "how_well", "load"]
+__all__ = ["NAMES", "Example", "how_well", "load", "who_fits_nile"]
 
 NAMES = ("light", "nile", "co2", "seattle", "spring", "imu")
 
@@ -102,3 +102,28 @@ def how_well() -> np.ndarray:
     T = 25, Q = 0: Q = 0 is found in 63%
     """
     return np.genfromtxt(Path(__file__).with_name("data") / "how_well.csv", delimiter=",", names=True)
+
+
+def who_fits_nile() -> np.ndarray:
+    """What `fit` and thirteen calls of other libraries find for R and Q of the Nile, each with its own defaults.
+
+    Returns
+    -------
+    ndarray
+        One row for each call, with named columns. Of the Nile: library, version, call, R, Q, log_likelihood (as the
+        library counts it), steps, converged ("yes", "no", "-" where it has no word for it, "boundary" where it says
+        that Q is at its boundary). Of the Nile times 1000, in the first unit: R_1000, Q_1000, converged_1000. Of white
+        noise, where Q is 0: R_white, Q_white, converged_white. also: what else the call fits. seen: the day of the run.
+        See dev/who_fits_nile.py.
+
+    Examples
+    --------
+    >>> from kflearn import examples
+    >>> for row in examples.who_fits_nile()[1:4]:
+    ...     print(f"{row['library']} {row['version']}: R = {row['R']:.0f}, Q = {row['Q']:.0f}")
+    statsmodels 0.15.0: R = 15078, Q = 1479
+    statsmodels exact 0.15.0: R = 15068, Q = 1485
+    R StructTS 4.2.2: R = 15099, Q = 1469
+    """
+    path = Path(__file__).with_name("data") / "who_fits_nile.csv"
+    return np.genfromtxt(path, delimiter=",", names=True, dtype=None, encoding="utf-8")

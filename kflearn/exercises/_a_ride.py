@@ -1,4 +1,4 @@
-"""Recordings for the open exercise of lesson 25: rides with uneven steps, gaps, and readings that are far off."""
+"""Recordings for the open exercise of lesson 27: rides with uneven steps, gaps, and readings that are far off."""
 
 import numpy as np
 

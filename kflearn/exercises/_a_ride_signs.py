@@ -1,4 +1,4 @@
-"""What is said of filters that do not pass the open exercise of lesson 25, where the mistake can be recognised."""
+"""What is said of filters that do not pass the open exercise of lesson 27, where the mistake can be recognised."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong answers to exercises of lesson 26, each with the sentence that it gets."""
+"""Wrong answers to exercises of lesson 28, each with the sentence that it gets."""
 
 import itertools
 

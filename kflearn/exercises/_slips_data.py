@@ -1,4 +1,4 @@
-"""More wrong answers to exercises of lessons 23 to 26, each with the sentence that it gets."""
+"""More wrong answers to exercises of lessons 23 to 28, each with the sentence that it gets."""
 
 from types import SimpleNamespace
 
@@ -40,7 +40,7 @@ def smoothed(K, n):
 
 
 def published(z, K):
-    """The published sum of lesson 26, with weights K(1 − K)ʲ."""
+    """The published sum of lesson 28, with weights K(1 − K)ʲ."""
     return np.sum(K * (1 - K) ** np.arange(len(z))[::-1] * z)
 
 

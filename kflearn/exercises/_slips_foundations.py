@@ -1,4 +1,4 @@
-"""More wrong answers to exercises of lessons 1 to 5 and 26, each with its sentence: those that a stranger tried."""
+"""More wrong answers to exercises of lessons 1 to 5 and 28, each with its sentence: those that a stranger tried."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong answers to exercises of lesson 25, each with the sentence that it gets."""
+"""Wrong answers to exercises of lesson 27, each with the sentence that it gets."""
 
 import numpy as np
 

@@ -16,6 +16,7 @@ from ..results.track import Track
 from .climb import LEAST, climb
 from .family import Family
 from .many import Start, forward, in_a_row
+from .one import forward_of_one, is_one
 
 SAME = 1e-6  # of a log-likelihood: less is no difference
 DECADES = np.log(10) * np.concatenate([[0], np.arange(-12, 13, 2)])  # by which a parameter is moved at first
@@ -151,7 +152,8 @@ class _Series:
     def _ends(self, coordinates, which=slice(None)):
         matrices, (X, P, resting) = self.family.matrices(self.family.values(coordinates)), self.start
         some = (part[..., which] if part.shape[-1] > 1 else part for part in (X, P))
-        return forward(matrices, self.runs_last[..., which], self._push(matrices), Start(*some, resting))
+        run = forward_of_one if is_one(matrices) else forward
+        return run(matrices, self.runs_last[..., which], self._push(matrices), Start(*some, resting))
 
     def first(self):
         """Coordinates (N, p) of the first values, all positive ones times one factor where that helps."""

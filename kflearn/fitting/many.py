@@ -9,6 +9,7 @@ import numpy as np
 
 from ..models.state_space import LinearModel
 
+SURE, OPEN = 1e-10, 1e-13  # of what readings tell, in units in which it is 1: enough digits; nothing but rounding
 quiet = np.errstate(all="ignore")  # far from the data much is not finite, and counts as −inf
 
 
@@ -48,16 +49,19 @@ class Start(NamedTuple):
         """A start about which nothing is known.
 
         Its first column goes through as many readings as it takes to know the state: so no digits are lost, whatever R.
+        It is sought without noise of the states, under which the readings' weights do not differ by powers of ten.
         """
         n, runs = matrices.F.shape[1], z.shape[2:]
         X = np.zeros((n, n + 1, *runs))
         X[range(n), range(1, n + 1)] = 1
-        start = cls(X, np.zeros((n, n, *[1] * len(runs))), True)
+        start, still = cls(X, np.zeros((n, n, *[1] * len(runs))), True), matrices._replace(Q=0 * matrices.Q)
         for steps in range(1, len(z) + 1):
-            near, _ = forward(matrices, z[:steps], push, start).start_after()
-            if np.isfinite(near).all():
-                X[:, 0] = near
+            ends = forward(still, z[:steps], push, start)
+            if (told := ends.told_of_the_start()) > SURE:
                 break
+        if not told > OPEN:
+            raise ValueError(f"z must determine all {n} states of the model in every series")
+        X[:, 0] = ends.start_after()[0]
         return start
 
     @classmethod
@@ -99,6 +103,13 @@ class Ends(NamedTuple):
         return np.moveaxis(mean, -1, 0), np.moveaxis(inverse, (-2, -1), (0, 1))
 
     @quiet
+    def told_of_the_start(self) -> float:
+        """How much the readings tell of the state at the first one, in the direction and the run of which least."""
+        inside, _ = self._scaled()
+        known = np.isfinite(inside).all(axis=(-2, -1))
+        return float(np.linalg.eigvalsh(np.where(known[..., None, None], inside, 0)).min())
+
+    @quiet
     def scatter(self):
         """The mean of the innovations squared, in units of what the filter claims: 1 where its claims are right."""
         return self._parts()[0] / (self.seen - self._n)
@@ -120,12 +131,17 @@ class Ends(NamedTuple):
         G = np.moveaxis(self.gram, (0, 1), (-2, -1))
         if not self._n:
             return G[..., 0, 0], self.log_det
-        scale = np.sqrt(np.diagonal(G, axis1=-2, axis2=-1)[..., 1:])
-        inside = G[..., 1:, 1:] / scale[..., :, None] / scale[..., None, :]
-        inside = np.where(np.isfinite(inside), inside, np.nan)
+        inside, scale = self._scaled()
         right = G[..., 1:, 0] / scale
         sure = np.sum(right * np.linalg.solve(inside, right[..., None])[..., 0], axis=-1)
         return G[..., 0, 0] - sure, self.log_det + np.linalg.slogdet(inside)[1] + 2 * np.log(scale).sum(axis=-1)
+
+    def _scaled(self):
+        """What the readings tell of the start (*runs, n, n), in units in which its diagonal is 1, and these units."""
+        G = np.moveaxis(self.gram, (0, 1), (-2, -1))[..., 1:, 1:]
+        scale = np.sqrt(np.diagonal(G, axis1=-2, axis2=-1))
+        inside = G / scale[..., :, None] / scale[..., None, :]
+        return np.where(np.isfinite(inside), inside, np.nan), scale
 
 
 def in_a_row(z, batch):

@@ -16,7 +16,7 @@ pytestmark = pytest.mark.timeout(300)
 # What somebody found who read the lessons, by the number of the playground.
 READ = {
     "00": {1: dict(n=[10, 100], sigma=[2])},
-    "26": {0: dict(ratio=[1e-6, 0.01, 0.0625, 100], night=[5, 100])},
+    "28": {0: dict(ratio=[1e-6, 0.01, 0.0625, 100], night=[5, 100])},
     "01": {0: dict(force=[0], mass=[1, 10], dt=[0.25, 1, 2.5])},
     "02": {0: dict(seconds=[0, 1, 3], correlation=[-0.95])},
     "03": {0: dict(Q11=[0.01], R=[50])},
@@ -40,7 +40,7 @@ READ = {
     "21": {0: dict(sd=[0.1], tau=[0.1, 2, 1000])},
     "22": {0: dict(window=[5, 30], floor=[0.5], R=[0.01, 1, 16])},
     "23": {0: dict(now=[2, 5, 10], lag=[0, 3], sigma=[0.02])},
-    "25": {0: dict(q=[0.02, 0.5, 2, 50], R=[1, 38], gate=[3000])},
+    "27": {0: dict(q=[0.02, 0.5, 2, 50], R=[1, 38], gate=[3000])},
 }
 
 

@@ -1,4 +1,4 @@
-"""What answers to exercises of lessons 19 to 26 must get, after a second stranger had handed in theirs."""
+"""What answers to exercises of lessons 19 to 28 must get, after a second stranger had handed in theirs."""
 
 import math
 

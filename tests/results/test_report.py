@@ -46,7 +46,7 @@ def ride(rng, memory=0.0, push=0.0):
 
 
 def card_of(z, q=TRUE_Q, R=None):
-    """The card of a constant velocity with this q; R is taken from the rest, as in lesson 25, or from elsewhere."""
+    """The card of a constant velocity with this q; R is taken from the rest, as in lesson 27, or from elsewhere."""
     rest = np.arange(T) < (STILL if R is None else 0)
     R = np.var(z[:STILL], ddof=1) if R is None else R
     model = LinearModel(F, H, q * UNIT_Q, R)
