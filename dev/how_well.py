@@ -46,14 +46,13 @@ def row(T, Q, total=SERIES):
 
 
 def main():
-    with TARGET.open("w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for T in LENGTHS:
-            for Q in TRUE:
-                numbers = [f"{value:.4g}" for value in row(T, Q)]
-                table.writerow([T, f"{Q:g}", *numbers])
-                print(T, Q, *numbers, flush=True)
+    rows = []
+    for T in LENGTHS:
+        for Q in TRUE:
+            rows.append([T, f"{Q:g}", *(f"{value:.4g}" for value in row(T, Q))])
+            print(*rows[-1], flush=True)
+    with TARGET.open("w", encoding="utf-8", newline="") as file:  # at the end: a run that is stopped spoils no table
+        csv.writer(file, lineterminator="\n").writerows([COLUMNS, *rows])
 
 
 if __name__ == "__main__":

@@ -24,7 +24,10 @@ from dev.lab import CHROMIUM, ROOT, Lab, browser, notebook, server
 OLD = "c9f65fa"  # the last commit before pictures were drawn in the browser
 PLAIN, LIVE, SLOW = "interact with pyplot", "playground", "playground, without jupyter_server_config.py"
 BEFORE = f"playground of {OLD}"
-MOVES = 60  # of the pointer, there and again back
+SHARE, MOVES = (
+    -0.45,
+    40,
+)  # of the slider: each movement of the pointer, there and back, passes a step and asks for a picture
 
 FILTER = """
 import numpy as np
@@ -124,7 +127,7 @@ def measure(lab, keys=8):
         lab.settle(0.15)
         waits.append(lab.page.evaluate(f"loads[{lab.before}] - keys.at(-1)"))
     weight = lab.page.evaluate("weighed()") / keys
-    took = lab.drag(1, -0.35, swings=2, moves=MOVES)
+    took = lab.drag(1, SHARE, swings=2, moves=MOVES)
     count = lab.pictures() - lab.before
     lab.settle()
     return Round(statistics.median(waits), count / took, count / (2 * MOVES), weight)

@@ -117,6 +117,8 @@ def covariance(name, value, size=None, definite=False) -> np.ndarray:
         exact = name == "R" and variances.min() == 0
         way_out = "; no sensor is exact: one that tells steps of d has at least d²/12" if exact else ""
         raise ValueError(f"{name} must be positive {kind}, found {variances.min():g} on its diagonal{way_out}")
+    if array.shape[-1] == 1:
+        return array
     # Judge the correlations, not the covariances: then the units of the components do not matter.
     correlation, _ = correlations(array, np.sqrt(variances) if definite else _scale(variances))
     if (abs(correlation - correlation.mT) > 1e-9).any():

@@ -256,3 +256,8 @@ def test_no_time_to_explain_is_no_error_of_the_learner(monkeypatch):
 
     outcome = twice.check(lambda x: 2 * x + x**3)
     assert outcome.status == "wrong" and "was expected" in outcome.text, outcome.text
+
+
+def test_a_hole_is_no_step_that_may_be_cut_off():
+    outcome = asked("your_data.clock").check(lambda time, z: (s := np.diff(time[~np.isnan(z)]))[s < 10])
+    assert outcome.status != "right"
