@@ -3,8 +3,8 @@
     python -m dev.web.pdf                          build/site → build/course.pdf
     python -m dev.web.pdf --site X --out Y.pdf
 
-The pages come in the order of the navigation, each with an entry in the PDF's own contents. Hints and solutions are left
-out: they stand in the web page.
+The pages come in the order of the navigation, each with an entry in the PDF's own contents. Hints and solutions are
+left out: they stand in the web page.
 """
 
 import argparse
