@@ -15,7 +15,7 @@ define ROOT_NOTE
 @echo "If no browser opens, open the address that JupyterLab prints."
 endef
 
-.PHONY: help course update reset clear quick test notebooks site assignment slides load picture lint bench check-hard browser clean
+.PHONY: help course update reset clear quick test notebooks site pdf assignment slides load picture lint bench check-hard browser clean
 
 help:                     ## this list
 	@grep -E '^[a-z-]+:.*## ' Makefile | sed -E 's/:.*## /\t/' | awk -F '\t' '{ printf "make %-12s %s\n", $$1, $$2 }'
@@ -54,6 +54,9 @@ notebooks: $(READY)       ## execute every lesson again, in place
 site: $(MORE)             ## the course as a web page, in build/site, with its tests: about ten minutes on two cores
 	$(BIN)/python -m dev.web.build
 	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load tests/dev/test_site.py tests/dev/test_page.py tests/dev/test_named.py
+
+pdf: $(MORE)              ## that page as one PDF, in build/course.pdf
+	$(BIN)/python -m dev.web.pdf
 
 assignment: $(MORE)       ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
 	$(BIN)/python -m dev.teaching.assignment $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")

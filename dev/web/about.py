@@ -75,3 +75,18 @@ def sitemap(names, site):
     places = "\n".join(f"<url><loc>{escape(f'{site}/{name}')}</loc></url>" for name in names)
     head = '<?xml version="1.0" encoding="UTF-8"?>\n<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">'
     return f"{head}\n{places}\n</urlset>\n"
+
+
+def citation(root):
+    """A page with the course as an entry of a list of references, from CITATION.cff."""
+    import yaml
+
+    cited = yaml.safe_load((root / "CITATION.cff").read_text(encoding="utf-8"))
+    authors = [each.get("name") or f"{each['given-names']} {each['family-names']}" for each in cited["authors"]]
+    who, year, title = " and ".join(authors), str(cited["date-released"])[:4], cited["title"]
+    fields = dict(author=who, title=title, version=cited["version"], year=year)
+    entry = f"@software{{kflearn, {', '.join(f'{name} = {{{value}}}' for name, value in fields.items())}}}"
+    words = "Name the version: numbers and lessons change from one to the next."
+    return (
+        f"# Cite this course\n\n{who}, *{title}*, version {cited['version']}, {year}.\n\n{words}\n\n```\n{entry}\n```\n"
+    )

@@ -29,7 +29,7 @@ from pathlib import Path
 import nbformat
 
 from dev import lessons as course
-from dev.web import about, card, frames, named, packed, teaches
+from dev.web import about, api, card, frames, help, named, packed, teaches
 
 ROOT = Path(__file__).parents[2]
 PAGES = Path(__file__).parent / "pages"
@@ -142,6 +142,7 @@ def page(notebook, note, folder, pages):
                     shown = figure(folder / str(number), f"{folder.name}/{number}")
                     cell.outputs[i] = nbformat.v4.new_output("display_data", {"text/html": shown})
                     number += 1
+    notebook.cells = help.with_help(notebook.cells)
     notebook.cells.insert(1, nbformat.v4.new_markdown_cell(note))
     notebook.metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     return alts
@@ -196,22 +197,49 @@ def prepare(lessons, folder):
     playgrounds(folders, folder / "static")
     texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))}
     texts |= {"class-server.md": ROOT / "class" / "README.md", "changelog.md": ROOT / "CHANGELOG.md"}
-    pages, alts = [*(path.name for path in lessons), *texts], {}
+    package = api.pages(lessons) | {"cite.md": about.citation(ROOT)}
+    pages, alts = [*(path.name for path in lessons), *texts, *package], {}
     facts = leads(lessons, pages, folder)
     for path, notebook, pictures in zip(lessons, notebooks, folders, strict=True):
         alts |= page(notebook, about.note(path.name, facts["zip"]), pictures, pages)
+        notebook.cells.insert(-1, nbformat.v4.new_markdown_cell(api.names_of(path)))
         nbformat.write(notebook, folder / path.name)
     for name, path in texts.items():
         text = path.read_text(encoding="utf-8").replace("](../notebooks/", "](")
         (folder / name).write_text(relink(text, pages), encoding="utf-8")
+    for name, text in package.items():
+        (folder / name).write_text(text, encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("](notebooks/", "](")
     readme = readme.replace("](class/README.md)", "](class-server.md)").replace("](CHANGELOG.md)", "](changelog.md)")
     (folder / "README.md").write_text(relink(about.without(about.FOLDER, readme), pages), encoding="utf-8")
     (folder / "alts.json").write_text(json.dumps(alts), encoding="utf-8")
     index = (folder / "index.md").read_text(encoding="utf-8").replace("PLAYGROUND", sample(folders))
     index = index.replace("WHERE", about.where(facts))
-    toctree = "\n".join(["", "```{toctree}", ":hidden:", *pages, "```", ""])
-    (folder / "index.md").write_text(index + toctree, encoding="utf-8")
+    (folder / "index.md").write_text(index + contents(pages), encoding="utf-8")
+
+
+PARTS = {  # the course's parts in the page's navigation, by the number of their first lesson
+    0: "Foundations",
+    8: "Practice",
+    13: "Bent functions",
+    18: "Several models, hidden errors",
+    23: "All the data",
+}
+
+
+def contents(pages):
+    """The page's navigation: lessons in parts, the package, and what one looks up."""
+    parts = {title: [] for title in (*PARTS.values(), "The package", "To look up")}
+    for page in pages:
+        number = int(page[:2]) if page[:2].isdigit() else None
+        if number is not None:
+            parts[PARTS[max(first for first in PARTS if first <= number)]].append(page)
+        else:
+            parts["The package" if page.startswith("api") else "To look up"].append(page)
+    lists = [
+        ["", "```{toctree}", ":hidden:", f":caption: {title}", *names, "```"] for title, names in parts.items() if names
+    ]
+    return "\n".join([line for part in lists for line in part] + [""])
 
 
 def leads(lessons, pages, folder):

@@ -153,7 +153,7 @@ class Track(Filtered):
 
     @property
     def learnt(self) -> np.ndarray:
-        """What each measurement changed in the mean, K (z − ẑ), (..., T, n): x̂ − x⁻ without the subtraction."""
+        """K (z − ẑ), (..., T, n), by which each measurement changed the mean; it is x̂ − x⁻ without the subtraction."""
         y = self._later.surprise(self.mean)
         return matvec_each_step(compact(self.gain, 3), np.where(np.isnan(y), 0, y))
 

@@ -18,7 +18,11 @@ project = "Kalman filtering, hands on"
 version = release = facts["version"]
 html_title = project
 language = "en"
-extensions = ["myst_nb"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+autodoc_typehints = "none"  # the docstrings say it
+add_module_names = False
+napoleon_use_param = napoleon_use_rtype = False  # "(..., n)" is a shape, not a name to look for
+napoleon_custom_sections = [("Fields", "params_style")]
 exclude_patterns = ["README.md"]  # index.md takes parts of it
 
 nb_execution_mode = "off"  # the notebooks come with their outputs
@@ -119,6 +123,28 @@ def destination(app, docname, equation, lesson):
     return pages[0] if pages and pages[0] != docname else None, ""
 
 
+# ---- the package: its docstrings are plain text with names between backticks
+
+
+def plain(app, what, name, thing, options, lines):
+    """Leave signs as they are that reStructuredText would take for its own; names between backticks become code, and
+    lines such as "track: of the filter", with what belongs to them, become a list."""
+    made, in_list = [], False
+    for line in lines:
+        if not re.match(r"\s*(>>>|\.\.\. )", line):
+            line = re.sub(r"`([^`]+)`", r"``\1``", line)
+            line = line if "``" in line else re.sub(r"(?<=\()\*+(?=\w)|\|", r"\\\g<0>", line)
+        if re.match(r"\w+(, \w+)*: \w", line):
+            made, in_list = [*made, ""], True
+            line = f"- {line}"
+        elif in_list and line.startswith("    "):
+            line = line[2:]
+        else:
+            made, in_list = [*made, ""] if in_list and line else made, False
+        made.append("Fields" if line == "Attributes" else line)
+    lines[:] = made
+
+
 # ---- around each page
 
 
@@ -147,6 +173,7 @@ def description(doctree, most=160):
 
 def setup(app):
     app.add_html_math_renderer("mathml", (formula, None), (formulas, None))
+    app.connect("autodoc-process-docstring", plain, priority=400)  # before napoleon
     app.connect("doctree-read", collect)
     app.connect("doctree-resolved", refer)
     app.connect("html-page-context", around)
