@@ -79,10 +79,6 @@ WRONG = {
             lambda mean, n, z: (n - 1) * mean + z / n,
             "Only z is divided by n. Put brackets around the whole sum: ((n − 1)·mean + z)/n.",
         ),
-        "old mean alone divided": (
-            lambda mean, n, z: (n - 1) * mean / n + z,
-            "Only the old mean is divided by n. Put brackets around the whole sum: ((n − 1)·mean + z)/n.",
-        ),
     },
     "root_mean_square": {
         "0.1/0.08 of the published": (lambda error: np.mean(abs(error)) * 0.1 / 0.08, SCALED),

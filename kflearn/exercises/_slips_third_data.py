@@ -160,7 +160,6 @@ WRONG = {
     "clock": {
         "the median step": (lambda time, z: steps(time, z, np.median), ALL_ALIKE),
         "the mean step": (lambda time, z: steps(time, z, np.mean), ALL_ALIKE),
-        "one second": (lambda time, z: steps(time, z, lambda d: 1.0), ALL_ALIKE),
     },
     "variance_at_rest": {
         "half the squared differences": (
@@ -181,10 +180,6 @@ WRONG = {
     "mended": {
         "by their number": (
             lambda z, K: np.sum(weights(z, K) * z) / len(z),
-            "Divide by the sum of the weights, not by how many there are.",
-        ),
-        "published, by their number": (
-            lambda z, K: np.sum(K * weights(z, K) * z) / len(z),
             "Divide by the sum of the weights, not by how many there are.",
         ),
         "five seconds added": (

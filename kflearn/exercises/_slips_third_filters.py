@@ -125,7 +125,6 @@ WRONG = {
     "data_sheet": {"halved": ((6 / 1.18) ** 2 / 2, HALVED), "halved, exactly": (36 / (4 * np.log(2)), HALVED)},
     "orders_of_the_root": {
         "two more": (lambda orders: orders + 2, ROOT_SMALLER),
-        "doubled": (lambda orders: orders * 2, ROOT_SMALLER),
         "two less": (lambda orders: orders - 2, "You took 2 off. √(10ⁿ) is 10 to the power of n/2: halve."),
     },
     "posterior": {
