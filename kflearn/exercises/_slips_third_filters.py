@@ -125,7 +125,6 @@ WRONG = {
     "data_sheet": {"halved": ((6 / 1.18) ** 2 / 2, HALVED), "halved, exactly": (36 / (4 * np.log(2)), HALVED)},
     "orders_of_the_root": {
         "two more": (lambda orders: orders + 2, ROOT_SMALLER),
-        "two less": (lambda orders: orders - 2, "You took 2 off. √(10ⁿ) is 10 to the power of n/2: halve."),
     },
     "posterior": {
         "difference, the other sign": (
@@ -145,7 +144,7 @@ WRONG = {
         ),
         "r constant": (
             lambda x: slopes(x, lambda x, r, turn: [x[1] / r, x[0] / r, x[3] / r, x[2] / r]),
-            "r depends on the place too. The quotient rule gives a second term: minus x·(x·vx + y·vy)/r³, and the same with y.",
+            "The distance r depends on the place too. The quotient rule gives a second term: minus x·(x·vx + y·vy)/r³, and the same with y.",
         ),
     },
     "into_the_plane": {
