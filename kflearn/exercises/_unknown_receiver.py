@@ -128,7 +128,7 @@ def of_R(used, right):
     if np.ptp(used) < 1e-6 * used.max():
         words = f"You use the same R, {used[0]:.3g} m², in every recording. Each sensor has its own: find it in the readings."
         searched = " If you searched for R: the sum of y²/S alone always prefers the largest. Add log S."
-        return words + (searched if used[0] > right.max() else "")
+        return words + (searched if used[0] > 0.5 * right.max() else "")
     if alike and 0.75 < np.median(ratio) < 1.35:
         return None
     if alike:
