@@ -66,9 +66,9 @@ def one_of(given, right, choices) -> str:
     Examples
     --------
     >>> one_of({"a", "b"}, {"c"}, {"a", "b", "c"})
-    'choose one, please: the right one is none of these.'
+    'choose one, please. The right one is none of these.'
     """
     if given == choices:
         return "choose one, please."
     where = "among these, and it is enough alone" if right <= given else "none of these"
-    return f"choose one, please: the right one is {where}."
+    return f"choose one, please. The right one is {where}."

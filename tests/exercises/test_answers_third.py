@@ -168,7 +168,7 @@ ANSWERS = [
     ("voltmeter.whole_filter", filled, "wanted in all"),
     ("tuning_the_ratio.steady_sigma", np.sqrt(0.0452 + 0.01), "That is σ before a reading"),
     ("tuning_the_ratio.which_knob", 9, "answer with a letter"),
-    ("tuning_the_ratio.which_knob", {"A", "E"}, "the right one is none of these"),
+    ("tuning_the_ratio.which_knob", {"A", "E"}, "The right one is none of these"),
     ("is_the_filter_honest.interval", (0, 100), "holds every filter tests nothing"),
     ("is_the_filter_honest.interval", (1.6, 2.4), "84.5 % of the averages"),
     ("is_the_filter_honest.mystery", "both too large", "far outside ±0.005"),
