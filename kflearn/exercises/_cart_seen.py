@@ -105,7 +105,11 @@ def of_the_start(answers, recordings):
     if all(abs(mean[0] - z) > 1e-6 for mean, _, z, _ in rows) and all(P[0, 0] < 4 * s**2 for _, P, _, s in rows):
         return "Your position at the first reading is another one than that reading, and P says that it is as good: start at z[0]."
     if all(abs(mean[0] - z) < 1e-6 and abs(P[0, 1]) > 1e-9 for mean, P, z, _ in rows):
-        wide = " And the speed's variance is 3² there." if all(P[1, 1] < 8 for _, P, _, _ in rows) else ""
+        wide = (
+            " And at the first reading the speed has the variance 3²."
+            if all(P[1, 1] < 8 for _, P, _, _ in rows)
+            else ""
+        )
         return f"You start at z[0], then predict, and z[0] is used twice: run the filter over z[1:] only.{wide}"
     if all(abs(P[1, 1] - 3) < 1e-3 for _, P, _, _ in rows):
         return "At the first reading your speed has the variance 3. 3 m/s is the standard deviation: square it."

@@ -54,7 +54,7 @@ class Outcome(Message):
 
 
 def _in_full(text):
-    """Numbers such as 3.07e+03 as 3070, up to ten million; what stands in code is left as it is.
+    """Numbers such as 3.07e+03 as 3070, up to ten digits; what stands in code is left as it is.
 
     Examples
     --------
@@ -62,5 +62,5 @@ def _in_full(text):
     '3070 m, and `1e+03`'
     """
     parts = text.split("`")
-    parts[::2] = [re.sub(r"\d(\.\d+)?e\+0[1-6]\b", lambda n: f"{float(n[0]):.0f}", part) for part in parts[::2]]
+    parts[::2] = [re.sub(r"\d(\.\d+)?e\+0[1-9]\b", lambda n: f"{float(n[0]):.0f}", part) for part in parts[::2]]
     return "`".join(parts)

@@ -62,7 +62,7 @@ def row_by_row(P, K):
 
 MYSTERY = heard(
     {
-        r"both|all": "With Q and R both too large, or both too small, the gain is right and neighbours are white. "
+        r"both|all": "With Q and R wrong by the same factor the gain is right, and neighbours are white. "
         "−0.078 is far outside ±0.005.",
         r"gain.*(large|high|big)": "The gain is too large, yes. Which makes it so, Q or R? Whether NIS is below or above 2 decides.",
         r"gain.*(small|low)": "The minus sign says that the gain is too large. Which makes it so, Q or R?",

@@ -111,6 +111,10 @@ WRONG = {
             {"g too small", "g too large"},
             "It is g, but in one direction. Where does a filter with too small a g expect the stone, too high or too low?",
         ),
+        "all": (
+            {"g too small", "g too large", "R too small", "R too large"},
+            f"{R_EVEN} So it is g: where does the filter expect the stone, too high or too low?",
+        ),
         "g and R": (
             {"g too large", "R too small"},
             f"One of them explains both clues. {R_EVEN} A wrong g moves it, and makes the NIS larger too.",
