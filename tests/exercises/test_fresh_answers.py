@@ -108,7 +108,7 @@ def test_wrong_answers_get_their_sentence(name, answer, words):
 
 
 OPEN = [
-    ("voltmeter.whole_filter", meter.FAILING["gaps filled with zeros"], "such as 0 or the last reading?", "P has to grow by Q"),
+    ("voltmeter.whole_filter", meter.FAILING["gaps filled with zeros"], "or the last reading?", "P has to grow by Q"),
     ("voltmeter.whole_filter", meter.FAILING["raw readings, NaN kept"], "not finite at reading", "±2σ"),
     ("voltmeter.whole_filter", meter.FAILING["predictions"], "one reading late", "Does the gain"),
     ("is_the_filter_honest.unknown_sensor", ship.FAILING["Q forgotten"], "Is Q added in each", "is R the variance"),
@@ -123,7 +123,7 @@ OPEN = [
     ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: cart.motion(dt, 1)[1] * sd),
      "sd times G Gᵀ", "start's P"),
     ("train_and_ship.cart_with_gaps", cart_with(P=np.eye(2)), "first reading is too small", "Is Q, R"),
-    ("train_and_ship.cart_with_gaps", cart.FAILING["gaps filled with zeros"], "In the gaps your P is smaller than the motion makes it", "Is Q, R"),
+    ("train_and_ship.cart_with_gaps", cart.FAILING["gaps filled with zeros"], "your P is smaller", "Is Q, R"),
 ]  # fmt: skip
 
 
