@@ -70,5 +70,5 @@ def one_of(given, right, choices) -> str:
     """
     if given == choices:
         return "choose one, please."
-    where = "among these, and it is enough alone" if right <= given else "none of these"
+    where = "among these" if right <= given else "none of these"
     return f"choose one, please. The right one is {where}."
