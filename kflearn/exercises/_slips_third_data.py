@@ -8,6 +8,9 @@ BORN_AGAIN = "That is born again, only with a wide P. The ball is not forgotten:
 SIGN = "Under the root it is plus. The equation is b/2·t² + dv·t − allowed = 0, so −4ac is +2·b·allowed."
 LESSONS_P = "That is the lesson's P after its last reading. Here it is the first, from P⁻ = diag(4, 1)."
 ALL_ALIKE = "You give all steps the same length. Each step has its own, above all the hole."
+THROWN = (
+    "You throw long steps away. The hole is the step that matters: keep every one, there is one less than readings."
+)
 DIFFERENCES = (
     "A fair estimate if the errors are independent. Asked for are the squares about the mean, divided by n − 1."
 )
@@ -40,6 +43,16 @@ def steps(time, z, middle):
     """The same step for all."""
     d = np.diff(time[~np.isnan(z)])
     return np.full(len(d), middle(d))
+
+
+def cut_off(limit, middle=lambda d: 1.0):
+    """The steps without the long ones."""
+
+    def short(time, z):
+        d = np.diff(time[~np.isnan(z)])
+        return d[d < limit * middle(d)]
+
+    return short
 
 
 def weights(z, K):
@@ -160,6 +173,8 @@ WRONG = {
     "clock": {
         "the median step": (lambda time, z: steps(time, z, np.median), ALL_ALIKE),
         "the mean step": (lambda time, z: steps(time, z, np.mean), ALL_ALIKE),
+        **{f"cut off at {limit} s": (cut_off(limit), THROWN) for limit in (1, 1.5, 2, 3, 5, 10, 20, 30, 60, 100, 120, 300, 1000)},
+        **{f"cut off at {limit} medians": (cut_off(limit, np.median), THROWN) for limit in (2, 3, 4, 5, 10, 20)},
     },
     "variance_at_rest": {
         "half the squared differences": (

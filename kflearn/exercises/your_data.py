@@ -205,7 +205,9 @@ KINDS = cycle(range(5))  # each of them in the twenty trials
 def gappy(rng):
     """Uneven time stamps, and readings of which some are missing."""
     n = int(rng.choice([9, 7, 6]))
-    time = np.cumsum(rng.integers(3, 17, n)) / rng.choice([8.0, 0.125])  # steps of 0.4 to 2 s, or of 24 to 128 s
+    steps = rng.integers(3, 17, n)
+    steps[4] *= 40 if n == 9 else 1  # a hole in some of them, whatever the other steps are
+    time = np.cumsum(steps) / rng.choice([8.0, 0.125])  # steps of 0.4 to 2 s, or of 24 to 128 s
     return time, holes(rng.integers(0, 20, n) / 2, next(KINDS), rng)
 
 
