@@ -3,7 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._a_ride import MARKS, REST, H, white
-from kflearn.exercises._inside import added, another_order, predictions, recognised, share, used_R
+from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
 from kflearn.exercises._judge import pair
 
 
@@ -30,6 +30,13 @@ def spread(dt, push=white):
         for j, entry in enumerate(row):
             Q[:, i, j] = Q[:, i + 2, j + 2] = entry
     return Q
+
+
+def skipped(answer, answers, recordings):
+    """Rows without a reading that are left at zero."""
+    if all((pair(a)[0][1:][empty(r)] == 0).all() for a, r in zip(answers, recordings, strict=True)):
+        return "In the rows without a reading your mean is 0: they are skipped. Predict in every row, each with its own Δt from the time stamps."
+    return None
 
 
 def moved(answer, answers, recordings):
@@ -163,4 +170,4 @@ def gates(answer, answers, recordings):
 
 
 ORDER = "In another order of your states all of this passes. The order is: east, its speed, north, its speed."
-SIGNS = [predictions(1), another_order(MARKS, ORDER), moved, widened, trusts, gates]
+SIGNS = [same_P("rows"), skipped, predictions(1), another_order(MARKS, ORDER), moved, widened, trusts, gates]

@@ -35,7 +35,7 @@ WRONG["true_radius"] = {
     ),
     "two pixels added": (
         lambda d: disc_radius(core(d)) + 2,
-        "Two erosions do not take off two pixels: a square reaches further along its diagonals. Count instead of guessing.",
+        "Two erosions take off about two pixels, not exactly: a square reaches further along its diagonals. Count instead of guessing.",
     ),
     "all that differs": (
         disc_radius,

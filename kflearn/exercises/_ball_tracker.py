@@ -139,7 +139,7 @@ WRONG["first_velocity"] = {
     ),
     "own share": (
         lambda p, s, R, y: s / (s + R) * y,
-        "You left p, the variance of the place, out of S. It is the larger part, and it keeps the velocity's gain small.",
+        "You left p, the variance of the place, out of S. It keeps the velocity's gain small.",
     ),
     "place alone": (
         lambda p, s, R, y: p / (p + R) * y,

@@ -242,7 +242,10 @@ WRONG = {
             lambda P, K: (np.eye(2) - np.outer([1, 0], K)) @ P,
             "You formed Hᵀ Kᵀ. K is the column, H the row: np.outer(K, [1, 0]).",
         ),
-        "unchanged": (lambda P, K: P, "P is handed back unchanged: then the gain never settles."),
+        "unchanged": (
+            lambda P, K: P,
+            "P is handed back unchanged: then it only grows from reading to reading, and the gain of the angle goes towards 1.",
+        ),
         "columns scaled": (
             lambda P, K: P - K * P,
             "`K * P` multiplies each column by its own gain. What is taken away is the matrix K H P: the column K times the first row of P.",

@@ -55,6 +55,12 @@ SEEN = [
 ]  # fmt: skip
 
 
+def zero(answers, recordings):
+    """What is said beside where the position is 0 in all gaps."""
+    pairs = zip(answers, recordings, strict=True)
+    return " And NaN has become 0." if all((pair(a)[0][gaps(r), 0] == 0).all() for a, r in pairs) else ""
+
+
 def of_the_gaps(answers, recordings):
     """Where mean and P do not move in the gaps as they should; None where they do."""
     moved, stood, by_one = [], [], []
@@ -65,6 +71,8 @@ def of_the_gaps(answers, recordings):
         stood.append(np.allclose(mean[steps], mean[steps - 1]) and np.allclose(cov[steps], cov[steps - 1]))
         way = mean[steps, 0] - mean[steps - 1, 0]
         by_one.append(dt != 1 and np.allclose(way, mean[steps - 1, 1], rtol=1e-6, atol=1e-6))
+    if all(np.allclose(pair(each)[1], pair(each)[1][0]) for each in answers):
+        return f"Your P is the same at every reading, gaps included. In a gap it must grow.{zero(answers, recordings)}"
     if all(stood):
         return (
             "In the gaps your filter waits: mean and P stay as they were. "
@@ -73,7 +81,7 @@ def of_the_gaps(answers, recordings):
     if all(by_one[i] or recordings[i][0][1] == 1 for i in range(len(answers))):
         return "In the gaps your position moves on by one second's way, and a step lasts dt: does F contain dt?"
     if all(growth(*each)[0][0, 0] < 0 for each in zip(answers, recordings, strict=True)):
-        return "In the gaps your P shrinks, as if something had been read: is a NaN taken for a number, such as 0?"
+        return "In the gaps your P is smaller than the motion makes it, as if something had been read: is a NaN taken for a number, such as 0 or the last reading?"
     if not any(moved):
         return "In the gaps your mean does not move on as F says: position + dt · speed, and the same speed."
     return None
@@ -96,6 +104,13 @@ def of_the_start(answers, recordings):
     rows = [(mean, P, z[0], sigma) for (mean, P), ((z, _, _, sigma), _) in zip(firsts, recordings, strict=True)]
     if all(abs(mean[0] - z) > 1e-6 for mean, _, z, _ in rows) and all(P[0, 0] < 4 * s**2 for _, P, _, s in rows):
         return "Your position at the first reading is another one than that reading, and P says that it is as good: start at z[0]."
+    if all(abs(mean[0] - z) < 1e-6 and abs(P[0, 1]) > 1e-9 for mean, P, z, _ in rows):
+        wide = (
+            " And at the first reading the speed has the variance 3²."
+            if all(P[1, 1] < 8 for _, P, _, _ in rows)
+            else ""
+        )
+        return f"You start at z[0], then predict, and z[0] is used twice: run the filter over z[1:] only.{wide}"
     if all(abs(P[1, 1] - 3) < 1e-3 for _, P, _, _ in rows):
         return "At the first reading your speed has the variance 3. 3 m/s is the standard deviation: square it."
     if all(P[1, 1] < 4 for _, P, _, _ in rows):

@@ -12,6 +12,7 @@ from kflearn.exercises._answers import fault, parts
 from kflearn.exercises._raised import told
 from kflearn.exercises._watch import TooLong
 
+RANDOM = r"default_rng|np\.random|random\.(normal|randn|standard|multi)|\brng\."
 FULL = 12  # the entries of a matrix that are looked at one by one
 
 
@@ -44,11 +45,11 @@ def explained(exercise, answer, results, rights, faults) -> str:
     if named and not (named.endswith("or missing.") and _of_the_notebook(answer, names)):
         return named
     if not exercise.slow and _rules.changes(answer, results, cases):
-        return _rules.CHANGES
+        return _drawn(exercise, answer) or _rules.CHANGES
     good = [not complaint for complaint in faults]
     first = good.index(False)
     words = f"for `{exercise._called(cases[first])}` {faults[first]}"
-    lead = "" if exercise.slow else _unused(exercise, answer, close)
+    lead = "" if exercise.slow else _drawn(exercise, answer) or _unused(exercise, answer, close)
     lead = lead or _of_the_notebook(answer, names)
     lead = lead or _not_a_number(results, rights, cases) or _of_matrices(answer, cases, good, names)
     lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
@@ -77,6 +78,13 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
 def _typed_size(answer):
     """A call such as np.eye(2) in a function's text."""
     return re.search(r"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(\d\)", _code_of.text_of(answer) or "")
+
+
+def _drawn(exercise, answer):
+    """A function that draws random numbers, where the argument `normal` holds those that it is to use."""
+    if "normal" not in exercise.parameters or not re.search(RANDOM, _code_of.text_of(answer) or ""):
+        return ""
+    return "You draw random numbers of your own. Use those in `normal`."
 
 
 def _unused(exercise, answer, close):

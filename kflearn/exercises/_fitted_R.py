@@ -29,7 +29,7 @@ def best(z, Q, log=1.0, nis=1.0, R=GRID, walk=None):
 WRONG = {
     "variance of the readings": (
         lambda z, Q: np.nanvar(z, ddof=1),
-        "That is the variance of the readings, and the most probable R of a voltage that never moves. With Q = 0 it is right. "
+        "That is the variance of the readings, and the most probable R of a value that never moves, with Q = 0. "
         "Here the walk is in it too: Q belongs to the prediction, P + Q in every step.",
     ),
     "differences": (
@@ -88,11 +88,38 @@ WRONG = {
 }
 
 
+def where_nis_is_one(z, Q):
+    """The R at which the mean NIS is 1."""
+    first, *rest = np.flatnonzero(~np.isnan(z))
+    x, P, before, nis = z[first], GRID, first, []
+    for k in rest:
+        P = P + (k - before) * Q
+        S, y, before = P + GRID, z[k] - x, k
+        nis.append(y**2 / S)
+        x, P = x + P / S * y, P * GRID / S
+    return GRID[np.argmin(abs(np.mean(nis, axis=0) - 1))]
+
+
+WRONG["mean NIS of 1"] = (
+    where_nis_is_one,
+    "That is the R at which the mean NIS is 1. With Q held fixed this need not be the top: take the largest log L.",
+)
+
+
 def of_all(results, rights):
     """What is said of a logarithm, and where the search ran to an end of what was tried: a part of the sum is missing."""
     for log, back in ((np.log, "`np.exp` of it"), (np.log10, "ten to the power of it")):
         if np.allclose(results, log(rights), rtol=0, atol=0.04):
             return f"That is the logarithm of R, in which you searched. Return R itself, {back}."
+    if np.ptp(results) == 0 and np.isclose(results[0], 15099, rtol=1e-3):
+        return "Your R is 15099 whatever the readings are: that is the lesson's Nile. Fit R to z."
+    if np.all(abs(np.log10(results) - np.round(np.log10(results))) < 1e-9) and np.ptp(results) > 0:
+        return (
+            "Your R is a power of ten in every trial. If your grid has one point a decade, refine it around the best, "
+            "or use a search."
+        )
+    if np.ptp(results) == 0 and np.all(abs(np.log(results / rights)) < np.log(20)):
+        return f"Your R is {results[0]:.4g} in every trial, whatever the readings are. Fit R to z."
     if np.all(results > 20 * rights):
         return (
             "Your R is far too large in every trial: the search runs to the end of what it tries. Is log 2πS in the sum? "

@@ -47,7 +47,7 @@ WRONG = {
     "exponential_weights": {
         "infinite past": (
             lambda K, n: K * (1 - K) ** np.arange(n),
-            "These are Wiener's, for an infinite past: their sum is not 1. The oldest reading is where the estimate starts, so its K is missing.",
+            "These are Wiener's, for an infinite past: their sum is not 1. The estimate starts at the oldest reading, so its weight has no factor K: it is (1 − K)ⁿ⁻¹.",
         ),
         "oldest first": (
             lambda K, n: with_last(K * (1 - K) ** np.arange(n), (1 - K) ** (n - 1))[::-1],

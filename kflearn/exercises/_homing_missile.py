@@ -139,7 +139,7 @@ WRONG = {
         ),
         "part not squared": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts))),
-            "The part is right. But a variance that is multiplied by `part` on the way through F is multiplied by part².",
+            "The part is right. The acceleration is multiplied by `part`, so its variance by part²: part²·sd² + noise = sd².",
         ),
         "(1 − part)²": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-dt / lasts)) ** 2),

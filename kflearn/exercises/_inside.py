@@ -60,6 +60,20 @@ PREDICTIONS = (
 )
 
 
+def same_P(steps):
+    """A sign: the covariance is the same in all steps, which may be called otherwise; and perhaps the mean too."""
+
+    def sign(answer, answers, recordings):
+        pairs = [pair(each) for each in answers]
+        if not all(np.allclose(cov, cov[0], rtol=1e-9, atol=0) for _, cov in pairs):
+            return None
+        if all(np.allclose(mean, mean[0], rtol=1e-9, atol=0) for mean, _ in pairs):
+            return f"Your state and your P are the same in all {steps}: no reading is used. Predict and correct."
+        return f"Your P is the same in all {steps}: it is not predicted, and not corrected. Predict and correct it as the lesson's filter does."
+
+    return sign
+
+
 def another_order(marks, words):
     """A sign: all marks pass when the states are put in another order."""
 

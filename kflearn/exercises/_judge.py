@@ -50,10 +50,14 @@ class Mark(NamedTuple):
         return next((text for text in texts if passes == (low <= float(text) <= high)), texts[-1])
 
     def wanted(self):
-        """The bounds in words."""
+        """The bounds in words, with the unit."""
+        if self.low == 100 and self.unit == "%":
+            return "in all"
         if self.low is None:
-            return f"at most {self.high:g}"
-        return f"at least {self.low:g}" if self.high is None else f"{self.low:g} to {self.high:g}"
+            bounds = f"at most {self.high:g}"
+        else:
+            bounds = f"at least {self.low:g}" if self.high is None else f"{self.low:g} to {self.high:g}"
+        return f"{bounds} {self.unit}".rstrip()
 
 
 class OpenExercise(Exercise):
@@ -113,7 +117,7 @@ class OpenExercise(Exercise):
         named = self._sign(answer, answers) if any(failed) else None
         for mark, number, look in zip(self.marks, numbers, looks, strict=True):
             value = f"{mark.shown(number, look is None)} {mark.unit}".rstrip()
-            line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()} {mark.unit}".rstrip()
+            line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()}"
             for earlier in said:  # nothing is said twice
                 look = look and look.replace(earlier, "").strip()
             said += [look] if look else []

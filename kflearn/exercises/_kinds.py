@@ -8,12 +8,12 @@ import numpy as np
 from kflearn.exercises import _code_of, _rules, progress
 from kflearn.exercises._answers import chosen, fault, is_whole, listed, parts, show, unfinished
 from kflearn.exercises._explained import in_time, raised
-from kflearn.exercises._messages import Message, Outcome
+from kflearn.exercises._messages import NOTHING, Message, Outcome
 from kflearn.exercises._raised import arity_fault
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._typed import typed
 from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
-from kflearn.exercises._words import not_there
+from kflearn.exercises._words import not_there, one_of
 
 TRIALS = 20  # random inputs on which a function is tried
 
@@ -53,7 +53,7 @@ class Exercise:
         try:
             with watched(printed):
                 if unfinished(answer):
-                    return Outcome("not attempted", "Put your answer in place of `...` and run the cell again.")
+                    return Outcome("not attempted", NOTHING[isinstance(answer, str)])
                 self._last = answer
                 outcome = self._judge(answer, printed)
         except KeyboardInterrupt:  # the learner stops their own endless loop
@@ -181,7 +181,7 @@ class ChoiceExercise(ValueExercise):
         if not given or not (self.lines or given <= self.choices):
             return f"{not_there(answer, self.choices)}choose from {self._listed(self.choices)}."
         if len(given) > 1 and len(chosen(self.right)) == 1 and not self.lines:
-            return "choose one, please. If two of them seem right: which of them is enough alone?"
+            return one_of(given, chosen(self.right), self.choices)
         if len(given) > max(3, len(self.choices) // 2):
             return "these are too many: choose."
         if stray := given - right:

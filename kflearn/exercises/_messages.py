@@ -8,6 +8,10 @@ LEAD = {
     "raised": "✗ Your code raised an error.",
     "not attempted": "… Not attempted yet.",
 }
+NOTHING = {
+    False: "Put your answer in place of `...` and run the cell again.",
+    True: "Nothing stands between the quotation marks: put your answer there and run the cell again.",
+}  # whether an empty text was handed in
 
 
 class Message:
@@ -42,7 +46,21 @@ class Outcome(Message):
     """
 
     def __init__(self, status, sentence):
+        sentence = _in_full(sentence)
         if re.match(r"[a-z]+[ ,]", sentence):  # a word, and not code such as `np.std`
             sentence = sentence[0].upper() + sentence[1:]
         self.status, self.sentence = status, sentence
         super().__init__(f"{LEAD[status]} {sentence}", f"**{LEAD[status]}** {sentence}")
+
+
+def _in_full(text):
+    """Numbers such as 3.07e+03 as 3070, up to ten digits; what stands in code is left as it is.
+
+    Examples
+    --------
+    >>> _in_full("3.07e+03 m, and `1e+03`")
+    '3070 m, and `1e+03`'
+    """
+    parts = text.split("`")
+    parts[::2] = [re.sub(r"\d(\.\d+)?e\+0[1-9]\b", lambda n: f"{float(n[0]):.0f}", part) for part in parts[::2]]
+    return "`".join(parts)

@@ -122,7 +122,7 @@ def compass(x):
 MISTAKES = [
     (
         lambda *given: extended(*given, wrap=False),
-        "The bearings are subtracted plainly. A bearing of 3.1 and one of −3.1 are close together: take their difference the short way round.",
+        "The bearings are subtracted plainly, or with a period of 360. A bearing of 3.1 rad and one of −3.1 rad are close together: take the short way round, `angle_difference(…, …, 2 * np.pi)`.",
     ),
     (with_R(5.0, 0.02), "Your R holds the standard deviations. R holds variances: 5² and 0.02²."),
     (

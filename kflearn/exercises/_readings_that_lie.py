@@ -154,7 +154,7 @@ WRONG = {
         ),
         "P shrinks": (
             otherwise(lambda x, P, z, Q, R: (x, corrected(x, P, z, Q, R)[1])),
-            "The mean stays, as it should, but the variance shrinks as if the reading had been used. That makes the gate narrower with each refusal.",
+            "The mean stays, as it should, but the variance shrinks as if the reading had been used. So the gate does not widen as it should while readings are refused.",
         ),
         "jumps": (
             otherwise(lambda x, P, z, Q, R: (x + angle_difference(z, x), R)),

@@ -16,7 +16,10 @@ WRONG = {
         "You compared with the variance of a reading, 4 m². The sag is a length, so compare it with the σ of a reading, 2 m.",
     ),
     "variance, not rooted": (3200, "You took the variance of a reading, 4 m², and what you have is σ², not σ."),
-    "root of the distance": (20, "20² is 400. But σ² = 2 · 400 m · 2 m: solve σ²/(2 · 400 m) = 2 m for σ once more."),
+    "root of the distance": (
+        20,
+        "20² is 400, the distance: one factor 2 divides where it should multiply, or both are left out. From σ²/(2 · 400 m) = 2 m follows σ² = 2 · 400 m · 2 m.",
+    ),
     "the reading's σ": (2, "A belief 2 m wide sags by 2²/(2 · 400) m = 5 mm. Solve σ²/(2 · 400 m) = 2 m for σ."),
     "the cart's distance": (
         math.sqrt(2 * 20 * 2),
@@ -33,7 +36,10 @@ WRONG = {
     "upside down": (math.sqrt(2 / 800), "You divided 2 m by 2 · 400 m. In σ²/(2d) = 2 m, multiply both sides by 2d."),
     "a quarter": (10, "At 10 m the sag is only a sixteenth of what is wanted: it grows with the square of σ."),
     "half the distance": (200, "You divided the distance by 2. Solve σ²/(2 · 400 m) = 2 m for σ."),
-    "2 above": (math.sqrt(400 * 2 / 4), "The 2 belongs below the fraction: σ² = 2 · d · 2 m."),
+    "2 above": (
+        math.sqrt(400 * 2 / 4),
+        "You divided by 2. Solve σ²/(2d) = 2 m for σ²: both factors 2 multiply, σ² = 2 · d · 2 m.",
+    ),
 }
 
 

@@ -87,7 +87,7 @@ def of_one(answers, recordings):
         at = " It starts at the first readings, and they are an echo." if np.mean(begin) > 0.5 else ""
         return f"In {sum(lost)} of {len(rows)} recordings the filter is not at the speaker most of the time.{at} Does it ever come back?"
     if share > 0.7:
-        return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them. Does it switch too early, or believe each reading?"
+        return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them. Does it switch too early, or believe each reading? A median of five readings is outvoted by three of an echo."
     if share > 0.1:
         return (
             f"At the end of an echo of 11 to 14 readings the filter is {100 * share:.0f} % of the way to it. "

@@ -21,7 +21,7 @@ WRONG = {
         ),
         "±2σ": (
             256,
-            "256 readings bring 2σ down to 0.25 m. That is a useful promise, but σ itself was asked for.",
+            "256 readings bring 2σ down to 0.25 m, but σ itself was asked for. Or you took the variance, 2² = 4, for σ: each reading has σ = 2 m.",
         ),
         "root of eight": (
             lambda: math.sqrt(8),

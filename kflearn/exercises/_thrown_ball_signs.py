@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises._inside import added, another_order, predictions, recognised, share, used_R
+from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
 from kflearn.exercises._judge import pair
 from kflearn.exercises._thrown_ball import KICK, MARKS, H, motion
 
@@ -242,4 +242,16 @@ def floor(answer, answers, recordings):
 
 
 ORDER = "In another order of your states all of this passes. The order is: column, row, velocity of the column, velocity of the row."
-SIGNS = [predictions(), another_order(MARKS, ORDER), stands_still, floor, gravity, kicks, trusts, moves, begins, gates]
+SIGNS = [
+    same_P("frames"),
+    predictions(),
+    another_order(MARKS, ORDER),
+    stands_still,
+    floor,
+    gravity,
+    kicks,
+    trusts,
+    moves,
+    begins,
+    gates,
+]

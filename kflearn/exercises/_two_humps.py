@@ -19,7 +19,7 @@ WRONG = {
     "variance": ((4.4, 102.64), "The mean is right. 102.64 is the variance; the standard deviation is its root."),
     "about zero": (
         (4.4, math.sqrt(122)),
-        "The mean is right. You took the mean square, about zero; the variance is about the mean, so 4.4² comes off.",
+        "The mean is right. You took the mean square about zero, or 11, half the distance of the humps. Take the mean square distance from 4.4, and add 1.",
     ),
     "σ added": (
         (4.4, math.sqrt(101.64) + 1),

@@ -30,6 +30,8 @@ def _numbers_in(value):
 
 def _near(one, other, rtol):
     """One number: within the tolerance (a whole one within 5e-5), or rounded to three digits or more."""
+    if np.isinf(other):
+        return one == other
     rounded = any(one == float(f"{other:.{digits}g}") for digits in (3, 4, 5, 6))
     return abs(one - other) <= (5e-5 if other == round(other) else rtol) * abs(other) or (
         rounded and other != round(other)

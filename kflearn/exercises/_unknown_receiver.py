@@ -126,7 +126,9 @@ def of_R(used, right):
     ratio = used / right
     alike = np.exp(np.std(np.log(ratio))) < 1.4
     if np.ptp(used) < 1e-6 * used.max():
-        return f"You use the same R, {used[0]:.3g} m², in every recording. Each sensor has its own: find it in the readings."
+        words = f"You use the same R, {used[0]:.3g} m², in every recording. Each sensor has its own: find it in the readings."
+        searched = " If you searched for R: the sum of y²/S alone always prefers the largest. Add log S."
+        return words + (searched if used[0] > 0.5 * right.max() else "")
     if alike and 0.75 < np.median(ratio) < 1.35:
         return None
     if alike:

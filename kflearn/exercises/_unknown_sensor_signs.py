@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises._inside import added, another_order, predictions, recognised, share, used_R
+from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
 from kflearn.exercises._judge import pair
 from kflearn.exercises._unknown_sensor import BAD, GOOD, MARKS, settled
 
@@ -191,4 +191,15 @@ def restless(R, recordings):
 
 
 ORDER = "In another order of your states all of this passes. The order is: position, velocity."
-SIGNS = [predictions(), another_order(MARKS, ORDER), moved, widened, gates, constant, waits, floored, follows]
+SIGNS = [
+    same_P("steps"),
+    predictions(),
+    another_order(MARKS, ORDER),
+    moved,
+    widened,
+    gates,
+    constant,
+    waits,
+    floored,
+    follows,
+]

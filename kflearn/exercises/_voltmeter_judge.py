@@ -210,7 +210,7 @@ def _gaps(answer, recording, part):
 def before_gaps(answers, recordings):
     """What to look at where too few are inside in the gaps."""
     if moves_in_gaps(answers, recordings):
-        return "Your estimate moves from one missing reading to the next: does a NaN count as a number, such as 0? The estimate has to stay."
+        return "Your estimate moves from one missing reading to the next: does a NaN count as a number, such as 0 or the last reading? The estimate has to stay."
     if grows_in_gaps(answers, recordings):
         return "P grows by Q in the gaps, as it should. Look at the x and the P with which a gap begins."
     if grows_in_gaps([(a[0], np.square(a[1])) for a in map(flat, answers)], recordings):
@@ -228,7 +228,7 @@ def too_wide_in_gaps(answers, recordings):
 def of_errors(answers, recordings):
     """What to look at where the errors are too large."""
     if moves_in_gaps(answers, recordings):
-        return "In the gaps your estimate moves although nothing was read: does a NaN count as a number, such as 0?"
+        return "In the gaps your estimate moves although nothing was read: does a NaN count as a number, such as 0 or the last reading?"
     if all(
         np.allclose(flat(a)[0][~t.missing], z[~t.missing]) for a, ((z, *_), t) in zip(answers, recordings, strict=True)
     ):

@@ -41,3 +41,34 @@ def not_there(answer, choices) -> str:
         text = " ".join(answer.split())
         return f"“{text[:40]}” is not among the choices: " if len(text) > 2 else ""
     return "a word is wanted, in quotation marks: " if words and "true" not in choices else ""
+
+
+def heard(table):
+    """What is said of a choice in the learner's own words: the sentence beside the first pattern that is found in it.
+
+    Examples
+    --------
+    >>> said = heard({r"gravity.*small": "Read as g too small."})
+    >>> said("Gravity too small"), said("wind"), said(9)
+    ('Read as g too small.', None, None)
+    """
+
+    def said(answer):
+        text = " ".join(str(answer).split()).casefold() if isinstance(answer, (str, int, float)) else ""
+        return next((words for pattern, words in table.items() if re.search(pattern, text)), None)
+
+    return said
+
+
+def one_of(given, right, choices) -> str:
+    """What is said of several choices, where one is wanted.
+
+    Examples
+    --------
+    >>> one_of({"a", "b"}, {"c"}, {"a", "b", "c"})
+    'choose one, please. The right one is none of these.'
+    """
+    if given == choices:
+        return "choose one, please."
+    where = "among these" if right <= given else "none of these"
+    return f"choose one, please. The right one is {where}."

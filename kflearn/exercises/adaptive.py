@@ -9,6 +9,7 @@ from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_adaptive import SLIPS
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -81,7 +82,8 @@ from kflearn.exercises.engine import exercise, judged
             "You squared 1 and 0.3 one by one. They are variances that add to S = 1.3; then S is squared.",
         ),
     }
-    | SLIPS["window_needed"],
+    | SLIPS["window_needed"]
+    | THIRD["window_needed"],
     unit="innovations",
     rtol=1e-3,
     also=[339],  # what `np.ceil` makes of 338.00000000000006
@@ -170,7 +172,7 @@ def bank(rng):
         "`return sum(w * (P + np.outer(m - p @ means, m - p @ means)) for w, m, P in zip(p, means, covs))`",
     ],
     inputs=bank,
-    wrong=WRONG["mixture_cov"] | SLIPS["mixture_cov"],
+    wrong=WRONG["mixture_cov"] | SLIPS["mixture_cov"] | THIRD["mixture_cov"],
     then=(
         "Where all means are equal nothing is left but the mean of the covariances; where they differ the joint "
         "belief is wider."

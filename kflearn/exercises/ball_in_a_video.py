@@ -7,6 +7,7 @@ from scipy import ndimage
 
 from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_signs
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise, judged
 
@@ -67,7 +68,7 @@ def a_gap(rng):
         "`return F @ x + push, F @ P @ F.T + Q`",
     ],
     inputs=a_gap,
-    wrong=WRONG["coast"] | SLIPS["coast"],
+    wrong=WRONG["coast"] | SLIPS["coast"] | THIRD["coast"],
     then="P grows in every frame without a ball, and S with it: so the gate is wide enough when the ball comes back.",
 )
 def coast(x, P, F, push, Q):

@@ -7,6 +7,7 @@ from kflearn.exercises._hints import tried
 from kflearn.exercises._is_a_covariance import WRONG as NO_COVARIANCE
 from kflearn.exercises._slips_bearing import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
+from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -77,7 +78,7 @@ def stuck_rates(rng):
         "offset = (1 − K)(offset + dt·x₁). Bring the offset to one side: offset·K = (1 − K)·dt·x₁.",
     ],
     inputs=stuck_rates,
-    wrong=WRONG["offset"] | MORE["offset"],
+    wrong=WRONG["offset"] | MORE["offset"] | THIRD["offset"],
     then="For the golden gain 0.618 the factor (1 − K)/K is 0.618 as well. What does the offset become when K nears 1?",
 )
 def offset(x1, K, dt):
@@ -128,7 +129,7 @@ def gains(rng):
         "In one line: `return (np.eye(2) - np.outer(K, [1, 0])) @ P`.",
     ],
     inputs=gains,
-    wrong=WRONG["right_update"] | MORE["right_update"],
+    wrong=WRONG["right_update"] | MORE["right_update"] | THIRD["right_update"],
     then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 12.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
@@ -209,7 +210,7 @@ TURNS = [
         "`np.allclose(P, P.T)` answers the first question, `np.linalg.eigvalsh(P).min() >= -1e-9` the second. Both must be True.",
     ],
     inputs=in_turn(candidates, *TURNS),
-    wrong=NO_COVARIANCE["is_a_covariance"],
+    wrong=THIRD["is_a_covariance"] | NO_COVARIANCE["is_a_covariance"],
     then="From P = [[1, 0.2], [0.2, 0.5]] the published prediction makes a matrix that fails this test in one line, and so does the "
     "published update. A test like this one runs in a filter at every step.",
 )

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._bearings_only import WRONG
 from kflearn.exercises._hints import tried
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
 
@@ -28,7 +29,7 @@ def offsets(rng):
         "In one line: `return np.arctan2(north, east) % (2 * np.pi)`.",
     ],
     inputs=offsets,
-    wrong=WRONG["mended_bearing"],
+    wrong=WRONG["mended_bearing"] | THIRD["mended_bearing"],
     then="NumPy's arctan2 was made for this, and it also works where east is 0. Which bearing has a target due south?",
 )
 def mended_bearing(east, north):

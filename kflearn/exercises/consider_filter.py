@@ -8,6 +8,7 @@ import numpy as np
 from kflearn.exercises._consider_by_hand import FIRST_COVARIANCE
 from kflearn.exercises._consider_filter import WRONG
 from kflearn.exercises._hints import after
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise
 
@@ -61,12 +62,13 @@ from kflearn.exercises.engine import exercise
             "That is the lesson's R, with a noise of 0.5 m and a bias of 1 m. Here the numbers are others.",
         ),
     }
-    | SLIPS["inflated"],
+    | SLIPS["inflated"]
+    | THIRD["inflated"],
     otherwise=lambda R: SLIPS["inflated"]["by the memory"][1] if 9 < R < 11 else None,
     unit="m²",
     then=(
-        "For one reading R = 0.34 m² is right. For the mean of a hundred it is not: its variance is 0.09/100 + "
-        "0.25, not 0.34/100."
+        "For one reading R = 0.34 m² is right. For the mean of a hundred that share the bias it is not: its "
+        "variance is 0.09/100 + 0.25, not 0.34/100."
     ),
 )
 def inflated():
@@ -84,7 +86,7 @@ def inflated():
         "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
         "`gain = np.array([[4 / 5.25], [0]])`, `kept = np.eye(2) - gain @ [[1, 1]]`, then `kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T`.",
     ],
-    wrong=FIRST_COVARIANCE | SLIPS["first_covariance"],
+    wrong=FIRST_COVARIANCE | SLIPS["first_covariance"] | THIRD["first_covariance"],
     unit="m²",
     then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance with the bias is kept, and the bias is not learnt.",
 )
@@ -107,7 +109,7 @@ def averages(rng):
         "`return np.sqrt(R / N + B)`",
     ],
     inputs=averages,
-    wrong=WRONG["honest_average"],
+    wrong=WRONG["honest_average"] | THIRD["honest_average"],
     then="With R = 0.25 and B = 1 ten readings give 1.012 m and a hundred 1.001 m: soon the bias is all that is left.",
 )
 def honest_average(N, R, B):

@@ -65,8 +65,8 @@ def exercise(
     also : list, optional
         Other values that are right, such as one with 1.96 σ where the solution takes 2 σ; or other functions.
     otherwise : function(answer), optional
-        For a value: what to say of an answer that is in no table, such as what it would mean; None for nothing. For a
-        function it is called with the results and the right ones of all trials.
+        For a value: what to say of an answer that is in no table, such as what it would mean; None for nothing. A choice
+        is handed over as it is written. For a function it is called with the results and the right ones of all trials.
     trials : int, optional
         For a function that takes long: on how few inputs it is tried; then it is called no more often to explain it.
 
@@ -112,7 +112,7 @@ def exercise(
         right = solution()
         is_choice = isinstance(right, (str, bool, np.bool_, set, frozenset))
         made = (ChoiceExercise if is_choice else ValueExercise)(*settings, right, also)
-        made.otherwise = otherwise and sure(otherwise)
+        made.otherwise = otherwise if is_choice else otherwise and sure(otherwise)
         return made
 
     return make

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._error_state_navigation import MORE
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
 
@@ -57,7 +58,8 @@ from kflearn.exercises.engine import exercise
             "The 6 % are of the true acceleration, which is 0.5 m/s². The bias is not scaled.",
         ),
     }
-    | MORE["all_bias"],
+    | MORE["all_bias"]
+    | THIRD["all_bias"],
     unit="m",
     also=[-27],  # with its sign
     then=(
@@ -123,7 +125,7 @@ def tunnel_mouths(rng):
         ),
         "two in the denominator": (
             lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + 2 * b * allowed)) / (2 * b),
-            "The root is right. Below stands twice the factor of t². That factor is b/2, so divide by b.",
+            "The root is right. Below must stand twice the factor of t². That factor is b/2, so divide by b.",
         ),
         "no time in it": (
             lambda dv, b, allowed: allowed / (dv + b),
@@ -142,7 +144,8 @@ def tunnel_mouths(rng):
             "Nearly: under the root stands 4 times b/2 times allowed, which is 2 b allowed.",
         ),
     }
-    | MORE["dark_time"],
+    | MORE["dark_time"]
+    | THIRD["dark_time"],
     then=(
         "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
         "afterwards the bias."
@@ -255,7 +258,8 @@ def updated(x, dx, K, fix):
             "feeding back.",
         ),
     }
-    | MORE["mended_fix"],
+    | MORE["mended_fix"]
+    | THIRD["mended_fix"],
     then="As dx is zero now, F @ dx stays zero until the next fix: between two fixes only P must be predicted.",
 )
 def mended_fix(x, dx, K, fix):

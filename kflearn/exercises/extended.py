@@ -4,6 +4,8 @@ import numpy as np
 
 from kflearn.exercises import _two_humps
 from kflearn.exercises._extended import WRONG
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
+from kflearn.exercises._slips_third_filters import of_humps
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -21,7 +23,7 @@ def believed_starts(rng, runs):
         "`return mean + normal * np.sqrt(np.diag(P0))` (one row a run; P0 is diagonal).",
     ],
     inputs=in_turn(believed_starts, 2, 3, 6, 1),
-    wrong=WRONG["true_starts"],
+    wrong=WRONG["true_starts"] | THIRD["true_starts"],
     also=[lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0))],  # a Gaussian is symmetric
     fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},
     then="With starts like these the mean NEES before the first reading is 4, the number of states; with the published ones it is 0.",
@@ -43,7 +45,7 @@ def growth_beliefs(rng):
         "Swap two lines: first `F = move_slope(x)`, then `x = move(x, u)`, then P = F * P * F + 10.",
     ],
     inputs=growth_beliefs,
-    wrong=WRONG["mended_prediction"],
+    wrong=WRONG["mended_prediction"] | THIRD["mended_prediction"],
     then="At x = 2 the slope is −2.5, at 0 it is 25.5, ten times as large. So it matters at which place the slope is taken.",
 )
 def mended_prediction(x, P, u):
@@ -83,6 +85,7 @@ def winner():
         "The mean is 0.7·11 − 0.3·11 = 4.4. The variance is 0.7·6.6² + 0.3·15.4² + 1² = 102.64; take its root.",
     ],
     wrong=_two_humps.WRONG,
+    otherwise=of_humps,
     then="The rms error of the answer 4.4 is 10.1. The answer +11, where the state probably is, has 12.1: when it is wrong, it is wrong by 22. "
     "So the mean is the best single number by the squared error, although the state is never there.",
 )

@@ -9,6 +9,7 @@ from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_belief import WRONG as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
 
@@ -65,7 +66,7 @@ def fuse(mean_x, var_x, mean_z, var_z):
         "You need 1/5 + n ≥ 1/0.3².",
         "1/0.09 − 0.2 = 10.91, and readings come in whole numbers.",
     ],
-    wrong=WRONG["readings_needed"],
+    wrong=WRONG["readings_needed"] | THIRD["readings_needed"],
     unit="readings",
     otherwise=lambda n: (
         f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n."

@@ -6,6 +6,7 @@ from kflearn.exercises._hints import is_about
 from kflearn.exercises._history import WRONG, wrong_letters
 from kflearn.exercises._slips_data import SLIPS as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -193,7 +194,8 @@ def exponential_weights(K, n):
             "That is the distance after the second night. It goes on growing until each night takes away what it adds.",
         ),
     }
-    | MORE["behind"],
+    | MORE["behind"]
+    | THIRD["behind"],
     unit="s",
     then="With twice the gain it would trail by 0.38 s only, but it would follow the noise more. Lesson 6 weighs one against the other.",
 )
@@ -215,7 +217,7 @@ def readings_and_gain(rng, n):
         "`w = (1 - K) ** np.arange(len(z))[::-1]`, then `return np.sum(w * z) / np.sum(w)`",
     ],
     inputs=in_turn(readings_and_gain, 3, 5, 8, 1),
-    wrong=WRONG["mended"] | MORE["mended"],
+    wrong=WRONG["mended"] | MORE["mended"] | THIRD["mended"],
     then="With K = 0.2207 the published weights lack 8 % after ten readings and less than 0.01 % after forty: in a long series nobody notices.",
 )
 def mended(z, K):

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises import _false_range
 from kflearn.exercises._homing_missile import WRONG
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -144,7 +145,8 @@ def memory(lasts, sd, dt):
             lambda: 100 * 34 / 3,
             "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
         ),
-    },
+    }
+    | THIRD["start_sigma"],
     unit="m",
     rtol=3e-3,
     then="Its square is the mean of the three squared errors. And one start proves little: NEES of a single start may be anything from 0.2 to 9.",
@@ -166,7 +168,7 @@ def needles(rng):
         "`H = np.sin(np.radians(turn))`, and `return 1 / np.sqrt(1 / sigma**2 + H**2 / across**2)`.",
     ],
     inputs=needles,
-    wrong=_false_range.WRONG["false_range"],
+    wrong=_false_range.WRONG["false_range"] | THIRD["false_range"],
     then="With 400 m, 2.27° and 4.01 m it is 98 m: three quarters of σ are gone, after one reading that never measured the range.",
 )
 def false_range(sigma, turn, across):

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises._hints import after
 from kflearn.exercises._slips_models import MORE
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
 
@@ -260,7 +261,8 @@ def swapped(z):
             "The states are right. Return two things: the first positions, and then the states.",
         ),
     }
-    | MORE["mended_start"],
+    | MORE["mended_start"]
+    | THIRD["mended_start"],
     then="Run 1 had the right speed all the time: only a test with several runs can show the second fault.",
 )
 def mended_start(z, T):

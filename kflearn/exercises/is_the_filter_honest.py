@@ -9,6 +9,8 @@ from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
 from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
+from kflearn.exercises._slips_third import MYSTERY, of_interval
+from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, look, recording
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -20,7 +22,8 @@ from kflearn.exercises.engine import Mark, exercise, judged
         "With 50 · 2 = 100. Cut off 2.5 % at either end of that distribution, and remember that the average was asked for.",
         "chi2.ppf([0.025, 0.975], 100) / 50, or chi_square_interval(dof=2, runs=50).",
     ],
-    wrong=WRONG["interval"] | MORE["interval"],
+    wrong=WRONG["interval"] | MORE["interval"] | THIRD["interval"],
+    otherwise=of_interval,
     rtol=5e-3,
     then="Runs pay off slowly: with 1,000 of them the limits are 1.88 and 2.13, so smaller faults are found.",
 )
@@ -77,7 +80,9 @@ def nees(e, P):
             "R too small",
             "R too small agrees with the minus sign. But then the filter would be far too sure, with NIS well above 2.",
         ),
-    },
+    }
+    | THIRD["mystery"],
+    otherwise=MYSTERY,
     then="NIS below 2 says that the filter claims too large an error; the minus sign, that its gain is too large. "
     "Of the four, only a Q that is too large does both.",
 )
@@ -119,7 +124,7 @@ def start_beliefs(rng, n):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
-    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"],
+    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"] | THIRD["draw_start"],
     also=[lambda mean, variances, normal: mean - np.sqrt(variances) * normal],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn import fit, random_walk
 from kflearn.exercises import _fitted_R
 from kflearn.exercises._let_the_data_choose import WRONG
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -66,7 +67,7 @@ def log_likelihood(y, S):
         "The derivative with respect to R is −½·4/R² + 1/R. Where is it zero?",
         "½·4/R² = 1/R gives R = 2.",
     ],
-    wrong=WRONG["half_missing"],
+    wrong=WRONG["half_missing"] | THIRD["half_missing"],
     unit="",
     then="A σ of 1.41 in place of 2, with no error message and a search that says it converged. Only the mean NIS shows it: it is 2.",
 )

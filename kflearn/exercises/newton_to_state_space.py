@@ -6,6 +6,7 @@ from kflearn.exercises._impossible_units import wrong_choices
 from kflearn.exercises._newton_to_state_space import WRONG, first_wrong_row
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_start import WRONG as MORE
+from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
 
@@ -22,7 +23,7 @@ def steps_masses_and_drags(rng):
         "`F = np.array([[1, dt - c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]])`, then `return F, np.array([[dt**2 / 2], [dt]]) / mass`",
     ],
     inputs=steps_masses_and_drags,
-    wrong=WRONG["motion"] | MORE["motion"],
+    wrong=WRONG["motion"] | MORE["motion"] | THIRD["motion"],
     then="With c = 0 it is the lesson's cart. Unlike (3), this F is not exact: the drag changes during the step, so dt must be short beside m/c.",
 )
 def motion(dt, mass, c):
@@ -139,7 +140,8 @@ def motion(dt, mass, c):
             [[1, 0], [100, 0], [1, 3.6]],
             "The tapes are right. The speedometer does not see the position: its first entry is 0.",
         ),
-    },
+    }
+    | THIRD["three_sensors"],
     otherwise=first_wrong_row,
     then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )
@@ -186,7 +188,7 @@ def one_after_the_other(F, x, order=(0, 1)):
     wrong={
         "as published": (
             one_after_the_other,
-            "The second line still meets the new x[0]. Keep the old values first (old = x is not enough: that is a second name for the same array).",
+            "The second line still meets the new first entry. Keep the old values first (old = x is not enough: that is a second name for the same array).",
         ),
         "the other order": (
             lambda F, x: one_after_the_other(F, x, (1, 0)),
@@ -245,7 +247,8 @@ def one_after_the_other(F, x, order=(0, 1)):
             "You return the second entry only. Return both, as an array of two numbers.",
         ),
         "unchanged": (lambda F, x: x, "You return the old state. Where are the new entries?"),
-    },
+    }
+    | THIRD["overwritten"],
     then="For the cart F[1, 0] is 0, so its second line does not contain x[0] at all. And `F @ x` calculates the whole new vector before anything is overwritten.",
     fixed={
         "F": "the published program steps a state of two numbers, entry by entry, and so does the answer",

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._hints import tried
 from kflearn.exercises._slips_digits import WRONG as MORE
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -161,7 +162,8 @@ def average_nees(P, K, R, claim):
             "You took the root of the count of orders. It is an exponent: the root of 10ⁿ is 10 to the power of what?",
         ),
     }
-    | MORE["orders_of_the_root"],
+    | MORE["orders_of_the_root"]
+    | THIRD["orders_of_the_root"],
     then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):
@@ -268,7 +270,8 @@ def smaller(first, second):
             "You fused the two, as if they were independent. The reading is in one of them already: choose that one.",
         ),
     }
-    | MORE["posterior"],
+    | MORE["posterior"]
+    | THIRD["posterior"],
     then="The traces tell because a reading never makes a variance larger, whatever H and R are. A prediction may do so.",
 )
 def posterior(one, two):

@@ -7,6 +7,7 @@ from kflearn.exercises._predict_correct import WRONG, other_letters
 from kflearn.exercises._predict_correct_misprints import WRONG as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_steps import WRONG as LATER
+from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -17,7 +18,7 @@ from kflearn.exercises.engine import exercise
         "F P = [[4, 7], [1, 3]]. Fᵀ = [[1, 0], [2, 1]]: the 2 has gone to the other corner.",
         "F P Fᵀ = [[18, 7], [7, 3]]; add 4 and 1 on the diagonal.",
     ],
-    wrong=WRONG["predicted_covariance"] | LATER["predicted_covariance"],
+    wrong=WRONG["predicted_covariance"] | LATER["predicted_covariance"] | THIRD["predicted_covariance"],
     then="The errors of position and velocity now belong together more closely: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75. The motion alone would make it 7/√54 = 0.95; the bumps lower it again.",
 )
 def predicted_covariance():
@@ -66,7 +67,7 @@ def correct(x, P, z, H, R):
         "P⁻Hᵀ is the second column of P⁻, [6, 4], and the variance of the innovation is 4 + 1 = 5. Which entry of K belongs to the position?",
         "K₁ = 6/5 m per m/s, and the innovation is 13 − 10 = 3 m/s.",
     ],
-    wrong=CORRECTION["speedometer"] | LATER["speedometer"],
+    wrong=CORRECTION["speedometer"] | LATER["speedometer"] | THIRD["speedometer"],
     unit="m",
     otherwise=lambda x: (
         f"Your answer moves the position by {x - 60:.3g} m: with an innovation of 3 m/s, a gain K₁ of {(x - 60) / 3:.3g}. Which numbers make K₁?"

@@ -7,6 +7,7 @@ from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
 from kflearn.exercises._readings_that_lie import WRONG
 from kflearn.exercises._slips_gates import WRONG as MORE
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -85,7 +86,7 @@ def refusals(rng, n):
         "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
     ],
     inputs=in_turn(refusals, 2, 5, 3, 8),
-    wrong=WRONG["agreeing"] | MORE["agreeing"],
+    wrong=WRONG["agreeing"] | MORE["agreeing"] | THIRD["agreeing"],
     then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
 )
 def agreeing(refused, reading, width):

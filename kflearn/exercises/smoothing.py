@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._hints import after
 from kflearn.exercises._slips_data import SLIPS
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._smoothing import WRONG
 from kflearn.exercises.engine import exercise
 
@@ -117,7 +118,8 @@ from kflearn.exercises.engine import exercise
             "Your gain is 2/3. It is the filter's variance by the predicted one: 3/4.",
         ),
     }
-    | SLIPS["one_step_back"],
+    | SLIPS["one_step_back"]
+    | THIRD["one_step_back"],
     then="The filter said 3, the smoother says 1.875: what came later was worth a reading of step k with variance 5.",
 )
 def one_step_back():
@@ -147,7 +149,7 @@ def steps_back(rng):
         "`return x + G @ (x_next - F @ x), P + G @ (P_next - P_pred) @ G.T`",
     ],
     inputs=steps_back,
-    wrong=WRONG["step_back"] | SLIPS["step_back"],
+    wrong=WRONG["step_back"] | SLIPS["step_back"] | THIRD["step_back"],
     then=(
         "No reading stands in these lines: the smoother uses only what the filter has stored, so the readings may "
         "be thrown away after the filter has run."
@@ -200,7 +202,7 @@ def corrected_beliefs(rng):
         "`information = 1/P + 1/P_back - 1/R`, then `return (x/P + x_back/P_back - z/R) / information, 1 / information`",
     ],
     inputs=corrected_beliefs,
-    wrong=WRONG["count_once"] | SLIPS["count_once"],
+    wrong=WRONG["count_once"] | SLIPS["count_once"] | THIRD["count_once"],
     then=(
         "Where the backward filter knows nothing but z, so that P_back = R and x_back = z, the result is the "
         "forward filter's N(x, P): z has already been used."
@@ -228,7 +230,7 @@ def count_once(x, P, x_back, P_back, z, R):
             "The difference has a minus: the smoother's error is the smaller one, by about two standard errors.",
         ),
     },
-    then="Both errors contain the noise of the hidden readings, σ = 0.3 ppm, which no method can remove. Without it about 0.23 ppm are left for the smoother and 0.29 for the line: a fifth less. In six weeks the air changes nearly along a straight line.",
+    then="Both errors contain the noise of the hidden readings, σ = 0.32 ppm, which no method can remove. Without it about 0.23 ppm are left for the smoother and 0.29 for the line: a fifth less. In six weeks the air changes nearly along a straight line.",
 )
 def real_gap():
     """Smoother against a straight line in six hidden weeks of carbon dioxide: half, a tenth less, or more?"""

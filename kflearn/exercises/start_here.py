@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_start import WRONG as SLIPS
+from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._start_here import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -33,7 +34,8 @@ from kflearn.exercises.engine import exercise
         "the largest": (66, "66 is the largest reading. The mean uses all three."),
         "the smallest": (61, "61 is the smallest reading. The mean uses all three."),
     }
-    | SLIPS["three_readings"],
+    | SLIPS["three_readings"]
+    | THIRD["three_readings"],
     unit="m",
     otherwise=lambda mean: (
         f"Your answer is {'too high' if mean > 63 else 'too low'}: three readings with this mean add up to {3 * mean:.6g} m. What do 61, 62 and 66 m add up to?"
@@ -74,7 +76,7 @@ def next_readings(rng):
         "`return mean + (z - mean) / n`",
     ],
     inputs=next_readings,
-    wrong=WRONG["update_mean"] | SLIPS["update_mean"],
+    wrong=WRONG["update_mean"] | SLIPS["update_mean"] | THIRD["update_mean"],
     then="The gain 1/n goes to zero: the thousandth reading moves the mean by a thousandth of the surprise. If the length changes after all, the mean hardly follows.",
 )
 def update_mean(mean, n, z):
@@ -164,7 +166,7 @@ def errors(rng, n):
         "`return np.sqrt(np.mean(error**2))`",
     ],
     inputs=in_turn(errors, 2, 6, 9, 3),
-    wrong=WRONG["root_mean_square"] | SLIPS["root_mean_square"],
+    wrong=WRONG["root_mean_square"] | SLIPS["root_mean_square"] | THIRD["root_mean_square"],
     unit="m",
     then="For normally distributed errors the mean absolute error is 0.80 σ: that is why the published line looks a fifth better than it is.",
 )

@@ -7,6 +7,8 @@ from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_rooms import WRONG as MORE
+from kflearn.exercises._slips_third_filters import SUSPECT
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._temperature_and_free_fall import WRONG
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -26,7 +28,7 @@ def rooms(rng):
         "Two changes: `K * (reading - x)` and `np.sqrt((1 - K) * P)`.",
     ],
     inputs=rooms,
-    wrong=WRONG["mended_step"] | SLIPS["mended_step"] | MORE["mended_step"],
+    wrong=WRONG["mended_step"] | SLIPS["mended_step"] | MORE["mended_step"] | THIRD["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
     then="With the truth in place of the reading the error looks far smaller than it would in a real room, where nobody knows the truth.",
 )
@@ -93,7 +95,10 @@ def room_filter(z, Q, R):
             "R too large",
             "With R too large the NIS would lie below 1, and the innovations would average zero.",
         ),
-    },
+    }
+    | THIRD["suspect"],
+    also=["gravity too large"],
+    otherwise=SUSPECT,
     then="With a wrong R the innovations are on both sides of zero. Only a wrong g pushes them to one side. With too large a g "
     "the expected stone falls too fast, so the readings are above it and the innovations are positive.",
 )

@@ -9,6 +9,7 @@ from kflearn.exercises._cart_seen import look
 from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, honest_at_first, honest_where_fine, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._slips_train import WRONG as MORE
 from kflearn.exercises._train_and_ship import WRONG
 from kflearn.exercises._turns import in_turn
@@ -65,7 +66,7 @@ def positions(rng, count):
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
     inputs=in_turn(positions, 6, 9, 7, 14),
-    wrong=WRONG["running_average"] | MORE["running_average"],
+    wrong=WRONG["running_average"] | MORE["running_average"] | THIRD["running_average"],
     then="All readings in between cancel, so the average of five differences has a fifth of the error of one, not 1/√5 of it.",
 )
 def running_average(z, dt):
@@ -166,7 +167,8 @@ def report(errors):
             "You divided by the square of 1.177, and did not square the 6 m. First σ = 6 m/1.177, then the square of it.",
         ),
     }
-    | MORE["data_sheet"],
+    | MORE["data_sheet"]
+    | THIRD["data_sheet"],
     then="The same receiver could print 7.2 m (rms), 6.4 m (mean) or 12.5 m (95 %): always ask which of them a sheet means.",
 )
 def data_sheet():

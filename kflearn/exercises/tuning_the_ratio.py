@@ -7,7 +7,9 @@ import numpy as np
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_balance import WRONG as LATER
 from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._tuning_the_ratio import WRONG, sheet_by_sheet
+from kflearn.exercises._slips_third import KNOB
+from kflearn.exercises._slips_third import WRONG as THIRD
+from kflearn.exercises._tuning_the_ratio import WRONG, of_sigma, sheet_by_sheet
 from kflearn.exercises._tuning_the_ratio_readings import WRONG as MORE
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -25,9 +27,7 @@ from kflearn.exercises.engine import exercise
     ],
     wrong=WRONG["steady_sigma"] | LATER["steady_sigma"],
     unit="°C",
-    otherwise=lambda sigma: (
-        f"σ = {sigma:.3g} °C is a variance of {sigma**2:.3g} °C², and as P = K·R it would need K = {4 * sigma**2:.3g}. Which K solves K² + qK − q = 0?"
-    ),
+    otherwise=of_sigma,
     then="The filter claims ±0.43 °C (two sigmas), where the thermometer alone has ±1 °C.",
 )
 def steady_sigma():
@@ -76,7 +76,9 @@ def data_sheets():
             "Both up, but by which factors? If you mean the same factor, one letter says it; different ones change the ratio.",
         ),
         "P₀ up": ("E", "P₀ is forgotten after a few readings; the claim settles at √(K·R) whatever the start was."),
-    },
+    }
+    | THIRD["which_knob"],
+    otherwise=KNOB,
     then="Q and R multiplied by the same factor leave the gain as it was, and so the line; σ grows by the root of the factor. Nine times both turns 0.09 V into 0.27 V.",
 )
 def which_knob():

@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._slips_points import MORE
+from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
 
@@ -114,7 +115,8 @@ def three_points():
             "Right for α = 1. For α = ½ you divided by α⁴; the declaration holds α².",
         ),
     }
-    | MORE["declared_kappa"],
+    | MORE["declared_kappa"]
+    | THIRD["declared_kappa"],
     then="With n + λ = 3 and n = 4 the centre's weight is 1 − 4/3 = −1/3: a weight of this rule may be negative.",
 )
 def declared_kappa():
@@ -273,7 +275,8 @@ def redrawn(mean, P, Q, scale):
             "That is how many times too small it is. The question asks for the average of eᵀP₀⁻¹e itself.",
         ),
     }
-    | MORE["start_nees"],
+    | MORE["start_nees"]
+    | THIRD["start_nees"],
     rtol=4e-4,  # 0.06 and 0.05994 are two mistakes
     then=(
         "The claimed variance is too large by a factor of 6/0.042, about 143. A NEES far below its band shows that,"

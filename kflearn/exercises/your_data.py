@@ -8,6 +8,7 @@ from kflearn.exercises import _a_ride, _a_ride_signs
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_data import SLIPS
+from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._your_data import WRONG
 from kflearn.exercises.engine import exercise, judged
 from kflearn.results.consistency import chi_square_interval
@@ -100,7 +101,8 @@ LOW, HIGH = chi_square_interval(1, 40)
             "That is the sample variance. Hand in two limits, `(low, high)`.",
         ),
     }
-    | SLIPS["interval_of_R"],
+    | SLIPS["interval_of_R"]
+    | THIRD["interval_of_R"],
     unit="m²",
     rtol=3e-3,
     then=(
@@ -175,7 +177,8 @@ def interval_of_R():
             "A variance cannot be negative. Divide by 1000 for each of the three times in m²/s³.",
         ),
     }
-    | SLIPS["milliseconds_for_seconds"],
+    | SLIPS["milliseconds_for_seconds"]
+    | THIRD["milliseconds_for_seconds"],
     unit="m²/s³",
     then=(
         "The card cannot tell, because Q is the same; but q says what can happen within one of its “seconds”, and "
@@ -202,7 +205,9 @@ KINDS = cycle(range(5))  # each of them in the twenty trials
 def gappy(rng):
     """Uneven time stamps, and readings of which some are missing."""
     n = int(rng.choice([9, 7, 6]))
-    time = np.cumsum(rng.integers(3, 17, n)) / rng.choice([8.0, 0.125])  # steps of 0.4 to 2 s, or of 24 to 128 s
+    steps = rng.integers(3, 17, n)
+    steps[4] *= 40 if n == 9 else 1  # a hole in some of them, whatever the other steps are
+    time = np.cumsum(steps) / rng.choice([8.0, 0.125])  # steps of 0.4 to 2 s, or of 24 to 128 s
     return time, holes(rng.integers(0, 20, n) / 2, next(KINDS), rng)
 
 
@@ -213,7 +218,7 @@ def gappy(rng):
         "`return np.diff(time[~np.isnan(z)])`",
     ],
     inputs=gappy,
-    wrong=WRONG["clock"],
+    wrong=WRONG["clock"] | THIRD["clock"],
     then=(
         "The sum of the steps is the time from the first reading to the last: a check worth having in every "
         "program that reads a clock."
@@ -243,7 +248,7 @@ def a_departure(rng):
         "`return np.nanvar(z[time < until], ddof=1)`",
     ],
     inputs=a_departure,
-    wrong=WRONG["variance_at_rest"] | SLIPS["variance_at_rest"],
+    wrong=WRONG["variance_at_rest"] | SLIPS["variance_at_rest"] | THIRD["variance_at_rest"],
     then="How well is it known? With n readings its relative error is about √(2/(n − 1)): for 20 readings a third.",
 )
 def variance_at_rest(time, z, until):

@@ -109,7 +109,7 @@ SAID = [
     ("voltmeter.auto_start", lambda z, H, R: (inv(H) @ z, inv(H) * R * inv(H).T), "`*` multiplies entry by entry"),
     ("tuning_the_ratio.data_sheets", [0.09, 6.25, 0.0208], "in another order"),
     ("tuning_the_ratio.data_sheets", [2.5, 0.09, 0.0625], "(b) is right. In (a) the sheet gives σ"),
-    ("tuning_the_ratio.which_knob", {"C", "E"}, "which of them is enough alone?"),
+    ("tuning_the_ratio.which_knob", {"C", "E"}, "C is enough"),
     ("tuning_the_ratio.R_with_drift", detrended, "You took a polynomial away"),
 ]  # fmt: skip
 

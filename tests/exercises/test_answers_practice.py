@@ -94,8 +94,8 @@ def test_right_answers_pass(name, answer):
 SAID = [
     ("is_the_filter_honest.interval", chi_square_interval(2, 50 * 79), "You counted each second as a run"),
     ("is_the_filter_honest.nees", lambda e, P: np.sum(np.linalg.inv(P) @ e**2), "You squared e first"),
-    ("is_the_filter_honest.mystery", "Q too large or R too small", "Choose one"),
-    ("is_the_filter_honest.draw_start", own_start, "does not depend on normal"),
+    ("is_the_filter_honest.mystery", "Q too large or R too small", "Both agree with the minus sign"),
+    ("is_the_filter_honest.draw_start", own_start, "Use those in `normal`"),
     ("bearing_of_a_sound.wrap", lambda d: np.degrees(np.arctan2(np.sin(d), np.cos(d))), "take radians"),
     ("bearing_of_a_sound.wrap", lambda d: np.clip(d, -180, 180), "You cut the difference off"),
     ("bearing_of_a_sound.offset", lambda x1, K, dt: dt * x1 * (1 / K - K), "1/K − 1"),
@@ -122,7 +122,7 @@ SAID = [
     ("temperature_and_free_fall.room_filter", lambda z, Q, R: room(z, Q, R, P=R**2), "You start with R²"),
     ("temperature_and_free_fall.room_filter", lambda *given: room(*given, once=True), "inside the loop"),
     ("temperature_and_free_fall.room_filter", lambda *given: room(*given, end=-1), "last reading is left out"),
-    ("temperature_and_free_fall.noise", own_noise, "With other values of normal"),
+    ("temperature_and_free_fall.noise", own_noise, "Use those in `normal`"),
     ("temperature_and_free_fall.noise", lambda normal, Q: np.sqrt(np.diag(Q)) * normal, "As a column"),
     ("temperature_and_free_fall.honest_report", below_ground, "first moment underground"),
     ("train_and_ship.start_variance", lambda a, b, c: (b - a) ** 2 / 16 + ((a + b) / 2 - c) ** 2, "a quarter of"),
@@ -181,7 +181,7 @@ OPEN = [
     ("train_and_ship.cart_with_gaps", cart.without_corners, "no corners", "how does Q"),
     ("train_and_ship.cart_with_gaps", cart.twice, "used twice", "how does Q"),
     ("train_and_ship.cart_with_gaps", cart.FAILING["speed variance 3"], "square it", "how does Q"),
-    ("train_and_ship.cart_with_gaps", cart_in_gaps(wait=True), "your filter waits", "P shrinks"),
+    ("train_and_ship.cart_with_gaps", cart_in_gaps(wait=True), "your filter waits", "P is smaller"),
     ("train_and_ship.cart_with_gaps", cart_in_gaps(dt_in_F=False), "does F contain dt", "how does Q"),
 ]  # fmt: skip
 

@@ -93,7 +93,7 @@ SAID = [
     ("is_the_filter_honest.nees", lambda e, P: e @ inv(P @ P) @ e, "You inverted P P"),
     ("is_the_filter_honest.share_inside", lambda e, P: 0.683, "what to expect of an honest filter"),
     ("is_the_filter_honest.draw_start", lambda m, v, n: np.random.default_rng().normal(m, np.sqrt(v)),
-     "two different results"),
+     "Use those in `normal`"),
     ("bearing_of_a_sound.wrap", turns_by_hand, "trials"),
     ("bearing_of_a_sound.right_prediction", symmetric, "need not be symmetric"),
     ("temperature_and_free_fall.mended_step", old_P, "the P that came in"),
@@ -108,7 +108,7 @@ def test_wrong_answers_get_their_sentence(name, answer, words):
 
 
 OPEN = [
-    ("voltmeter.whole_filter", meter.FAILING["gaps filled with zeros"], "such as 0?", "P has to grow by Q"),
+    ("voltmeter.whole_filter", meter.FAILING["gaps filled with zeros"], "or the last reading?", "P has to grow by Q"),
     ("voltmeter.whole_filter", meter.FAILING["raw readings, NaN kept"], "not finite at reading", "±2σ"),
     ("voltmeter.whole_filter", meter.FAILING["predictions"], "one reading late", "Does the gain"),
     ("is_the_filter_honest.unknown_sensor", ship.FAILING["Q forgotten"], "Is Q added in each", "is R the variance"),
@@ -123,7 +123,7 @@ OPEN = [
     ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: cart.motion(dt, 1)[1] * sd),
      "sd times G Gᵀ", "start's P"),
     ("train_and_ship.cart_with_gaps", cart_with(P=np.eye(2)), "first reading is too small", "Is Q, R"),
-    ("train_and_ship.cart_with_gaps", cart.FAILING["gaps filled with zeros"], "In the gaps your P shrinks", "Is Q, R"),
+    ("train_and_ship.cart_with_gaps", cart.FAILING["gaps filled with zeros"], "your P is smaller", "Is Q, R"),
 ]  # fmt: skip
 
 
