@@ -1,0 +1,230 @@
+"""Streams for the open exercise of lesson 25: places and speeds of a car, of which some arrive late."""
+
+import numpy as np
+
+from kflearn import EventFilter, Gaussian, discretise
+from kflearn.exercises._judge import Mark, inside, nees, pair, rms
+
+A, L = [[0, 1], [0, 0]], [[0], [1]]
+END = 40.0  # seconds
+
+
+def white(dt, q):
+    """F and Q of a step."""
+    return np.array([[1, dt], [0, 1]]), q * np.array([[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
+
+
+def taken(rng):
+    """When each reading was taken, when it arrives, and what it is of: 0 the place, 1 the speed, 2 a question."""
+    places = np.cumsum(rng.uniform(0.6, 1.6, 28))
+    late = np.where(rng.random(28) < 0.7, rng.uniform(0.3, 2.5, 28), 0.0)
+    speeds, asked = np.cumsum(rng.uniform(0.2, 1.0, 60)), rng.uniform(1, END, 30)
+    t = np.concatenate([places, speeds, asked])
+    now = np.concatenate([places + late, speeds, asked])
+    kind = np.repeat([0, 1, 2], [28, 60, 30])
+    order = np.argsort(now, kind="stable")
+    order = order[now[order] < END]
+    return t[order], now[order], kind[order]
+
+
+def stream(rng):
+    """The rows as they arrive, q and the belief at time 0; and the truth at each `now`."""
+    t, now, kind = taken(rng)
+    q, mean, cov = rng.integers(2, 9) / 2, np.array([0.0, rng.integers(10, 30)]), np.diag([4.0, 4.0])
+    moments = np.unique(np.concatenate([t, now]))
+    x, path = rng.multivariate_normal(mean, cov), []
+    for dt in np.diff(moments, prepend=0):
+        F, Q = white(dt, q)
+        x = F @ x + rng.multivariate_normal([0, 0], Q, method="cholesky" if dt > 1e-3 else "eigh")
+        path.append(x)
+    path, R = np.array(path), np.array([rng.integers(1, 5) / 2, rng.integers(2, 9) / 4, 1.0])[kind]
+    H = np.eye(2)[np.minimum(kind, 1)]
+    z = np.sum(H * path[np.searchsorted(moments, t)], axis=1) + np.sqrt(R) * rng.standard_normal(len(t))
+    z[kind == 2] = np.nan
+    return (now, t, z, H, R, q, mean, cov), path[np.searchsorted(moments, now)]
+
+
+def fed(late="replay", keep=60, when=lambda now, t: t, moves=white, skip=None, noise=1.0):
+    """A filter that is fed by an EventFilter; the settings are mistakes, and other designs."""
+
+    def follow(now, t, z, H, R, q, mean, cov):
+        live, rows = EventFilter(lambda dt: moves(dt, q), Gaussian(mean, cov), 0.0, late=late, keep=keep), []
+        for k in range(len(now)):
+            if not (np.isnan(z[k]) or (skip and skip(H[k]))):
+                live.update(z[k], H[k : k + 1], noise * R[k], when(now[k], t[k]))
+            belief = live.predict_to(now[k])
+            rows.append((belief.mean, belief.cov))
+        return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+    return follow
+
+
+def naive(step=abs, ask=True):
+    """A filter that goes through the rows as they arrive, whatever the sign of dt; the questions moved for, or not."""
+
+    def follow(now, t, z, H, R, q, mean, cov):
+        x, P, time, rows = mean, cov, 0.0, []
+        for k in range(len(now)):
+            if not np.isnan(z[k]):
+                F, Q = white(step(t[k] - time), q)
+                x, P, time = F @ x, F @ P @ F.T + Q, t[k]
+                K = P @ H[k] / (H[k] @ P @ H[k] + R[k])
+                x, P = x + K * (z[k] - H[k] @ x), P - np.outer(K, H[k] @ P)
+            F, Q = white(now[k] - time if ask else 0.0, q)
+            rows.append((F @ x, F @ P @ F.T + Q))
+        return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+    return follow
+
+
+def not_moved(now, t, z, H, R, q, mean, cov):
+    """The belief at the newest reading in place of that at `now`."""
+    live, rows = EventFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=60), []
+    for k in range(len(now)):
+        if not np.isnan(z[k]):
+            live.update(z[k], H[k : k + 1], R[k], t[k])
+        rows.append((live.belief.mean, live.belief.cov))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def looks_ahead(now, t, z, H, R, q, mean, cov):
+    """All readings that were taken before `now`, also those that have not arrived."""
+    order = np.argsort(t, kind="stable")
+    rows = []
+    for k in range(len(now)):
+        live = EventFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=200)
+        for i in order[(t[order] <= now[k]) & ~np.isnan(z[order])]:
+            live.update(z[i], H[i : i + 1], R[i], t[i])
+        belief = live.predict_to(now[k])
+        rows.append((belief.mean, belief.cov))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def raw(now, t, z, H, R, q, mean, cov):
+    """The last place and the last speed that were read."""
+    x, rows = mean.copy(), []
+    for k in range(len(now)):
+        if not np.isnan(z[k]):
+            x[np.argmax(H[k])] = z[k]
+        rows.append(x.copy())
+    return np.array(rows), np.tile(np.diag([R[H[:, 0] == 1][0], R[H[:, 1] == 1][0]]), (len(now), 1, 1))
+
+
+def held(dt, q):
+    """F, and the Q of a push that is held for the whole step."""
+    push = np.array([[dt**2 / 2], [dt]])
+    return np.array([[1, dt], [0, 1]]), q * push @ push.T
+
+
+def by_difference(v, late, dt):
+    """The shift at which the two differ least, each about its own mean."""
+    pairs = [(v[: len(v) - j], late[j:]) for j in range(11)]
+    return np.argmin([np.var(one - other) for one, other in pairs]) * dt
+
+
+MARKS = [
+    Mark(
+        "error of the place (rms)",
+        rms(0, 10),
+        high=1.32,
+        unit="m",
+        above="Is a late reading used at the moment at which it was taken, and all younger readings after it once more?",
+    ),
+    Mark("error of the speed (rms)", rms(1, 10), high=0.9, unit="m/s", above="Look at F and Q, and at H and R of each row."),
+    Mark(
+        "truth within ±2σ of the place",
+        inside(0, 10),
+        low=93,
+        high=98,
+        unit="%",
+        below="The claimed σ is too small: is a late reading taken for a new one, or is Q missing in the prediction to `now`?",
+        above="The claimed σ is too large: are all readings used?",
+    ),
+    Mark(
+        "NEES / 2",
+        nees(10),
+        low=0.85,
+        high=1.2,
+        below="The covariance is too large for the errors: look at Q and R.",
+        above="The covariance is too small for the errors: look at the order of the readings, and at the prediction to `now`.",
+    ),
+]
+PASSING = {
+    "a library": fed(),
+    "one step of retrodiction": fed(late="retrodict"),
+    "a memory of twelve readings": fed(keep=12),
+}
+SAID = {
+    "late readings are dropped": (
+        fed(late="drop"),
+        "Your filter does not use readings that arrive late. They still tell where the car was: put them in at their t, and use all younger readings once more.",
+    ),
+    "arrival for measurement": (
+        fed(when=lambda now, t: now),
+        "Your filter takes the time of arrival for the time of the reading. A place that is 1 s old is off by what the car has driven since: use t.",
+    ),
+    "abs(dt)": (
+        naive(),
+        "For a late reading dt is negative, and your filter moves forward by its size. Go back to the belief before that reading.",
+    ),
+    "no step back": (
+        naive(step=lambda dt: max(dt, 0.0)),
+        "For a late reading your filter does not move at all, as if it had just been taken. Go back to the belief before that reading.",
+    ),
+    "a negative dt": (
+        naive(step=lambda dt: dt),
+        "For a late reading your dt is negative, and so is its Q: noise is taken off P. Predicting backwards is no filter: go back to the belief before that reading.",
+    ),
+    "not moved to now": (
+        not_moved,
+        "You return the belief at the newest reading. The state at `now` is wanted: predict from there to `now`.",
+    ),
+    "looks ahead": (
+        looks_ahead,
+        "You use readings before they have arrived: in row k only the rows up to k are known.",
+    ),
+    "held Q": (
+        fed(moves=held),
+        "Your Q is that of one push which lasts the whole step, dt⁴/4. q is white acceleration: dt³/3, dt²/2, dt.",
+    ),
+    "no Q": (
+        fed(moves=lambda dt, q: white(dt, 0.0)),
+        "Q is missing: P becomes F P Fᵀ, as if the speed never changed.",
+    ),
+    "q squared": (fed(moves=lambda dt, q: white(dt, q**2)), "Your Q holds q². q is a variance already, per second."),
+    "places alone": (
+        fed(skip=lambda H: H[0] == 0),
+        "Your filter uses the places alone. The rows with H = [0, 1] are readings of the speed.",
+    ),
+    "speeds alone": (
+        fed(skip=lambda H: H[0] == 1),
+        "Your filter uses the speeds alone. The rows with H = [1, 0] are readings of the place.",
+    ),
+    "nothing is used": (
+        fed(skip=lambda H: True),
+        "Your filter uses no reading at all: the belief of the start is only moved on.",
+    ),
+}
+FAILING = {label: design for label, (design, _) in SAID.items()} | {
+    "the readings themselves": raw,
+    "a memory of two readings": fed(keep=2),
+    "R a hundred times too large": fed(noise=100.0),
+}
+
+
+def named(answer, answers, recordings):
+    """The sentence of a known mistake, where all results are those that it makes."""
+    for design, sentence in SAID.values():
+        if all(same(a, design(*inputs)) for a, (inputs, _) in zip(answers, recordings, strict=True)):
+            return sentence
+    return None
+
+
+def same(answer, other):
+    """Do two results agree, up to small changes of the design?"""
+    (mean, cov), (wrong, spread) = pair(answer), pair(other)
+    std = np.sqrt(abs(np.diagonal(spread, axis1=-2, axis2=-1)))
+    return np.mean(abs(mean - wrong) < 0.02 * std + 1e-9) > 0.97
+
+
+SIGNS = [named]
