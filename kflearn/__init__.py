@@ -25,7 +25,7 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     mmae_filter                 several, of both     MultipleModelTrack  no
 
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Time: discretise, for steps of
-any length; Readings, merge_events, several sensors; EventFilter, late readings. Starts: start_from, diffuse_start. The
+any length; Readings, merge_events, several sensors; TimedFilter, late readings. Starts: start_from, diffuse_start. The
 ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother,
 lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em; disturbances, which
 reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
@@ -54,7 +54,7 @@ from .filters.kalman import (
     linearized_kalman_filter,
     unscented_kalman_filter,
 )
-from .filters.late import EventFilter
+from .filters.late import TimedFilter
 from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
 from .filters.online import OnlineFilter
@@ -125,7 +125,6 @@ FILTERS = (
 )
 
 __all__ = [
-    "EventFilter",
     "FILTERS",
     "Gaussian",
     "LinearModel",
@@ -134,6 +133,7 @@ __all__ = [
     "OnlineFilter",
     "Readings",
     "RecordingError",
+    "TimedFilter",
     "Track",
     "adaptive_kalman_filter",
     "angle_difference",

@@ -70,7 +70,8 @@ def drives(runs=300, rng=25) -> Drives:
     for times, H, R in ((fixes, H_PLACE, R_PLACE), (turns, H_SPEED, R_SPEED)):
         true = x[:, np.searchsorted(moments, times)] @ H.T
         readings.append(Readings(times, true + rng.normal(0, np.sqrt(R), true.shape), H, R))
-    return Drives(*readings, even, moments, x)
+    receiver, wheels = readings
+    return Drives(receiver, wheels, even, moments, x)
 
 
 def stream(some, delay) -> list[tuple]:
@@ -120,7 +121,7 @@ def jam(rate) -> tuple[Readings, Readings, np.ndarray, np.ndarray]:
     >>> from kflearn.course import clocks
     >>> receiver, wheels, times, x = clocks.jam(rate=0.5)
     >>> print(len(receiver.times), x[1600].round(0) + 0)
-    19 [252.   0.]
+    19 [250.   0.]
     """
     times = np.arange(4001) / 100
     speed = np.interp(times, [0, 6, 14, 18, 25, 40], [25, 25, 0, 0, 20, 20])

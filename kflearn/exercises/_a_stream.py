@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kflearn import EventFilter, Gaussian, discretise
+from kflearn import Gaussian, TimedFilter
 from kflearn.exercises._judge import Mark, inside, nees, pair, rms
 
 A, L = [[0, 1], [0, 0]], [[0], [1]]
@@ -45,10 +45,10 @@ def stream(rng):
 
 
 def fed(late="replay", keep=60, when=lambda now, t: t, moves=white, skip=None, noise=1.0):
-    """A filter that is fed by an EventFilter; the settings are mistakes, and other designs."""
+    """A filter that is fed by an TimedFilter; the settings are mistakes, and other designs."""
 
     def follow(now, t, z, H, R, q, mean, cov):
-        live, rows = EventFilter(lambda dt: moves(dt, q), Gaussian(mean, cov), 0.0, late=late, keep=keep), []
+        live, rows = TimedFilter(lambda dt: moves(dt, q), Gaussian(mean, cov), 0.0, late=late, keep=keep), []
         for k in range(len(now)):
             if not (np.isnan(z[k]) or (skip and skip(H[k]))):
                 live.update(z[k], H[k : k + 1], noise * R[k], when(now[k], t[k]))
@@ -79,7 +79,7 @@ def naive(step=abs, ask=True):
 
 def not_moved(now, t, z, H, R, q, mean, cov):
     """The belief at the newest reading in place of that at `now`."""
-    live, rows = EventFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=60), []
+    live, rows = TimedFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=60), []
     for k in range(len(now)):
         if not np.isnan(z[k]):
             live.update(z[k], H[k : k + 1], R[k], t[k])
@@ -92,7 +92,7 @@ def looks_ahead(now, t, z, H, R, q, mean, cov):
     order = np.argsort(t, kind="stable")
     rows = []
     for k in range(len(now)):
-        live = EventFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=200)
+        live = TimedFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=200)
         for i in order[(t[order] <= now[k]) & ~np.isnan(z[order])]:
             live.update(z[i], H[i : i + 1], R[i], t[i])
         belief = live.predict_to(now[k])
@@ -130,7 +130,13 @@ MARKS = [
         unit="m",
         above="Is a late reading used at the moment at which it was taken, and all younger readings after it once more?",
     ),
-    Mark("error of the speed (rms)", rms(1, 10), high=0.9, unit="m/s", above="Look at F and Q, and at H and R of each row."),
+    Mark(
+        "error of the speed (rms)",
+        rms(1, 10),
+        high=0.9,
+        unit="m/s",
+        above="Look at F and Q, and at H and R of each row.",
+    ),
     Mark(
         "truth within ±2σ of the place",
         inside(0, 10),
@@ -222,7 +228,7 @@ def named(answer, answers, recordings):
 
 def same(answer, other):
     """Do two results agree, up to small changes of the design?"""
-    (mean, cov), (wrong, spread) = pair(answer), pair(other)
+    mean, (wrong, spread) = pair(answer)[0], pair(other)
     std = np.sqrt(abs(np.diagonal(spread, axis1=-2, axis2=-1)))
     return np.mean(abs(mean - wrong) < 0.02 * std + 1e-9) > 0.97
 

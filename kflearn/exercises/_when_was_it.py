@@ -51,7 +51,10 @@ WRONG = {
         "there and back": (-7.2, "Twice too much: the delay counts once, between the reading and its stamp."),
         "half": (-1.8, "Half of it. The bus drives on for the whole 0.24 s."),
         "divided": (-62.5, "You divided the speed by the time. Metres are m/s times s."),
-        "divided, ahead": (62.5, "You divided the speed by the time. Metres are m/s times s, and the reading lies behind."),
+        "divided, ahead": (
+            62.5,
+            "You divided the speed by the time. Metres are m/s times s, and the reading lies behind.",
+        ),
         "times 3.6": (-46.656, "You multiplied by 3.6. From km/h to m/s one divides: 54/3.6 = 15 m/s."),
         "times 3.6, ahead": (
             46.656,

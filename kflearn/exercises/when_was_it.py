@@ -70,7 +70,7 @@ def which_step():
         "Keep a list of all readings in the order of the moments at which they were taken. What has to be computed again when one is put in before others?",
         "The simplest filter that is exact: after each row, sort the readings known up to now by t, go through all of them from the start, and then predict to `now`. It is slow, and it passes. Then remember the belief after each reading, and begin at the last one before the late reading.",
         "F and Q of a step of dt: [[1, dt], [0, 1]] and q [[dt³/3, dt²/2], [dt²/2, dt]]. A row whose z is NaN is a question: nothing is corrected, and the belief is predicted to `now`.",
-        "`EventFilter(lambda dt: discretise(A, L, q, dt), Gaussian(mean, cov), 0)` does it: `update(z, H, R, t)` for each reading, `predict_to(now)` for each row.",
+        "`TimedFilter(lambda dt: discretise(A, L, q, dt), Gaussian(mean, cov), 0)` does it: `update(z, H, R, t)` for each reading, `predict_to(now)` for each row.",
     ],
     recording=_a_stream.stream,
     marks=_a_stream.MARKS,

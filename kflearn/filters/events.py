@@ -90,7 +90,7 @@ def merge_events(sensors, start, at=()) -> Events:
     >>> F, Q = discretise([[0, 1], [0, 0]], [[0], [1]], 0.01, events.dt)
     >>> track = kalman_filter(LinearModel(F, events.H, Q, events.R), events.z, Gaussian([0, 0], [[1, 0], [0, 1]]))
     >>> print(events.times, track.mean[events.at, 0].round(1))
-    [1.  1.5 2.  3.  4.  5. ] [3.1 5. ]
+    [1.  1.5 2.  3.  4.  5. ] [3. 5.]
     """
     if not isinstance(sensors, (list, tuple)) or isinstance(sensors, Readings) or not sensors:
         raise TypeError(f"sensors must be a list of Readings, got {type(sensors).__name__}")
@@ -102,18 +102,14 @@ def merge_events(sensors, start, at=()) -> Events:
     times = np.unique(np.concatenate([at, *(each.times for each in sensors)]))
     if times[0] < start:
         raise ValueError(f"start must not be later than the first time, got {start:g} and {times[0]:g}")
-    T = len(times)
-    rows = [np.searchsorted(times, each.times) for each in sensors]
+    T, rows = len(times), [np.searchsorted(times, each.times) for each in sensors]
     z = [_at_rows(each.z, where, T, np.nan) for each, where in zip(sensors, rows, strict=True)]
+    H = _all_alike([_each_step(each.H, where, T) for each, where in zip(sensors, rows, strict=True)])
+    R = _all_alike([_each_step(each.R, where, T) for each, where in zip(sensors, rows, strict=True)])
     batch = check.batches(**{f"z of sensor {i}": each.shape[:-2] for i, each in enumerate(z)})
-    return Events(
-        times,
-        np.diff(times, prepend=start),
-        np.concatenate([np.broadcast_to(each, (*batch, *each.shape[-2:])) for each in z], axis=-1),
-        np.concatenate(_all_alike([_each_step(each.H, where, T) for each, where in zip(sensors, rows, strict=True)]), -2),
-        _blocks(_all_alike([_each_step(each.R, where, T) for each, where in zip(sensors, rows, strict=True)])),
-        np.searchsorted(times, at),
-    )
+    z = np.concatenate([np.broadcast_to(each, (*batch, *each.shape[-2:])) for each in z], axis=-1)
+    dt = np.diff(times, prepend=start)
+    return Events(times, dt, z, np.concatenate(H, axis=-2), _blocks(R), np.searchsorted(times, at))
 
 
 def _checked(i, sensor):
@@ -152,10 +148,10 @@ def _at_rows(values, rows, T, elsewhere):
 
 
 def _each_step(M, rows, T):
-    """A matrix as it is; a stack, one for each reading, as one for each step: the first where there is no reading."""
+    """A matrix as it is; a stack as one matrix for each step, that of the earliest reading where there is none."""
     if M.ndim == 2:
         return M
-    whole = np.repeat(M[:1], T, axis=0)
+    whole = np.repeat(M[[np.argmin(rows)]], T, axis=0)
     whole[rows] = M
     return whole
 

@@ -15,7 +15,7 @@ from .steps import condition
 
 
 class Kept(NamedTuple):
-    """A moment in the memory of an EventFilter: its time, the belief after its reading, and the reading."""
+    """A moment in the memory of an TimedFilter: its time, the belief after its reading, and the reading."""
 
     time: float
     belief: Gaussian
@@ -25,7 +25,7 @@ class Kept(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """A line of the log of an EventFilter.
+    """A line of the log of an TimedFilter.
 
     time: when the reading was taken; lag: how many readings in use are younger; how: "in order", "replayed",
     "retrodicted" or "dropped"; nis: yᵀ S⁻¹ y of the reading where it came in, NaN where it was dropped.
@@ -37,7 +37,7 @@ class Entry(NamedTuple):
     nis: np.ndarray | float
 
 
-class EventFilter:
+class TimedFilter:
     """A Kalman filter for readings as they arrive, each with its time, H and R; a late one is still used.
 
     Parameters
@@ -78,12 +78,12 @@ class EventFilter:
 
     Examples
     --------
-    >>> from kflearn import EventFilter, Gaussian
-    >>> live = EventFilter(lambda dt: ([[1.0]], [[dt]]), Gaussian(0, 100), time=0)
+    >>> from kflearn import TimedFilter, Gaussian
+    >>> live = TimedFilter(lambda dt: ([[1.0]], [[dt]]), Gaussian(0, 100), time=0)
     >>> for t, z in [(1, 5.0), (3, 7.0), (2, 6.5)]:  # the last one is late
     ...     live.update(z, H=[[1]], R=1, t=t)
     >>> print(f"{live.belief:.2f}; {live.log[-1].how}, {live.log[-1].lag} younger; at 4 s {live.predict_to(4):.2f}")
-    N(6.71, 0.62); replayed, 1 younger; at 4 s N(6.71, 1.62)
+    N(6.62, 0.62); replayed, 1 younger; at 4 s N(6.62, 1.62)
     """
 
     def __init__(self, moves, initial, time, *, late="replay", keep=20):

@@ -67,7 +67,7 @@ def discretise(A, L, q, dt) -> Discrete:
     with np.errstate(all="ignore"):
         F, Q = _van_loan(A, L @ q @ L.T, dt)
     if not (np.isfinite(F).all() and np.isfinite(Q).all()):
-        raise ValueError(f"dt must be shorter: in {dt.max():g} s the state of this A grows beyond what a float can hold")
+        raise ValueError(f"dt must be shorter: in {dt.max():g} s the state of this A grows beyond what floats can hold")
     return Discrete(F, Q)
 
 

@@ -86,7 +86,7 @@ def constant_velocity(dt, acceleration, R) -> LinearModel:
 
 
 def white_acceleration(dt, intensity, R) -> LinearModel:
-    """Position and velocity on a line, pushed by an acceleration that is new at every instant; the position is measured.
+    """Position and velocity on a line, pushed by white acceleration, new at every instant; the position is measured.
 
     Q = q [[dt³/3, dt²/2], [dt²/2, dt]]: two short steps make the same as one long step, so this is the Q for steps of
     different lengths.

@@ -1,4 +1,4 @@
-"""The Cramér–Rao bound: the P of a linear filter; else the inverse of the information of a whole path, in one matrix."""
+"""The Cramér–Rao bound: the P of a linear filter; else the inverse of the information about a whole path."""
 
 import numpy as np
 import pytest

