@@ -120,13 +120,13 @@ def jam(rate) -> tuple[Readings, Readings, np.ndarray, np.ndarray]:
     --------
     >>> from kflearn.course import clocks
     >>> receiver, wheels, times, x = clocks.jam(rate=0.5)
-    >>> print(len(receiver.times), x[1600].round(0) + 0)
-    19 [250.   0.]
+    >>> print(len(receiver.times), x[2000].round(0) + 0)
+    19 [225.   0.]
     """
     times = np.arange(4001) / 100
-    speed = np.interp(times, [0, 6, 14, 18, 25, 40], [25, 25, 0, 0, 20, 20])
+    speed = np.interp(times, [0, 6, 12, 26, 32, 40], [25, 25, 0, 0, 20, 20])
     place = np.concatenate([[0], np.cumsum((speed[1:] + speed[:-1]) / 200)])
-    noise, turns = np.random.default_rng(7).normal(0, 1, 600), np.arange(0.1, 40, 0.2)
+    noise, turns = np.random.default_rng(7).normal(0, 1, 600), np.arange(0.1037, 40, 0.2)
     fixes = np.arange(1, 39, 1 / rate)
     z = np.interp(fixes, times, place) + noise[200 : 200 + len(fixes)] * np.sqrt(R_PLACE)
     v = np.interp(turns, times, speed) + noise[:200] * np.sqrt(R_SPEED)

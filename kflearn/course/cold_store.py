@@ -47,7 +47,7 @@ def recordings(runs=300, rng=2) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     }
 
 
-def respond(z, answer, limit=16.0, silence=60) -> np.ndarray:
+def respond(z, answer, limit=18.0, silence=60) -> np.ndarray:
     """The estimates of a filter that does something when its CUSUM raises an alarm.
 
     Parameters
