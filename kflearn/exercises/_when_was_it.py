@@ -10,6 +10,7 @@ LINES = {
     6: "To predict for dt[k] before the reading k is right, if dt[k] is the step that ends there. Is it?",
     7: "The innovation and its variance are right. They come after the prediction; how long was that?",
     8: "The correction is right: K y is added to the mean, and K S Kᵀ is taken off.",
+    9: "Line 9 only gives back the last belief.",
 }
 
 
@@ -29,6 +30,18 @@ def products(v, late):
     """Sums of products, the means not taken off."""
     return [np.sum(v[: len(v) - j] * late[j:]) for j in range(11)]
 
+
+def least_difference(v, late, dt):
+    """The shift at which the two differ least, each about its own mean."""
+    return np.argmin([np.var(v[: len(v) - j] - late[j:]) for j in range(11)]) * dt
+
+
+def whole_series(v, late, dt):
+    """NumPy's cross-correlation of the whole series, the means taken off."""
+    return np.argmax(np.correlate(late - late.mean(), v - v.mean(), "full")[len(v) - 1 : len(v) + 10]) * dt
+
+
+OTHER_WAYS = [least_difference, whole_series]
 
 WRONG = {
     "behind": {
@@ -106,10 +119,6 @@ WRONG = {
         "five shifts only": (
             lambda v, late, dt: np.argmax(scores(v, late)[:5]) * dt,
             "You tried too few shifts. The delay is 0 to 10 steps: that makes eleven.",
-        ),
-        "smallest difference, offset left in": (
-            lambda v, late, dt: np.argmin([np.mean((v[: len(v) - j] - late[j:]) ** 2) for j in range(11)]) * dt,
-            "You took the smallest mean square difference. One instrument may have an offset, which then counts: take off the means, or use the correlation.",
         ),
     },
     "which_step": {str(line): ({line}, sentence) for line, sentence in LINES.items()},

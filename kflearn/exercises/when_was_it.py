@@ -5,7 +5,7 @@ import numpy as np
 from kflearn.exercises import _a_stream
 from kflearn.exercises._judge import track
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._when_was_it import WRONG, of_no_table
+from kflearn.exercises._when_was_it import OTHER_WAYS, WRONG, of_no_table
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -26,9 +26,12 @@ def behind():
 
 
 def two_speeds(rng, T):
-    """The speeds of one drive from two instruments; the second is late by some steps and has an offset."""
+    """The speeds of one drive in a town from two instruments; the second is late by some steps and has an offset."""
     lag, dt = int(rng.integers(1, 9)), rng.integers(1, 9) / 20
-    true = 15 + np.cumsum(rng.choice([-1.0, -0.5, 0.5, 1.0], T + lag))
+    true = [12.0]
+    for push in rng.normal(0, 3, T + lag - 1):  # it stops and goes, so that no trend hides the delay
+        true.append(12 + 0.6 * (true[-1] - 12) + push)
+    true = np.array(true)
     late = true[:T] + rng.integers(-2, 3) + rng.normal(0, 0.1, T)
     return np.round(true[lag:] + rng.normal(0, 0.1, T), 2), np.round(late, 2), dt
 
@@ -42,7 +45,7 @@ def two_speeds(rng, T):
     ],
     inputs=in_turn(two_speeds, 60, 40, 90),
     wrong=WRONG["clock_offset"],
-    also=[_a_stream.by_difference],
+    also=OTHER_WAYS,
     then="Speeds serve better than places: a place has no sharp features, and its correlation is near 1 at every shift.",
 )
 def clock_offset(v, late, dt):
@@ -58,7 +61,7 @@ def clock_offset(v, late, dt):
         "`np.diff(times, append=…)` gives the step *after* each reading. The step before it is `np.diff(times, prepend=start)`: that line is to be changed.",
     ],
     wrong=WRONG["which_step"],
-    then="`np.diff(times, prepend=start)`: the step that ends at a reading. On an even clock both give the same numbers, so no test with an even clock finds it.",
+    then="`np.diff(times, prepend=start)`: the step that ends at a reading. On an even clock both give the same numbers, so no test with an even clock finds the fault.",
 )
 def which_step():
     """Which line holds the fault?"""
