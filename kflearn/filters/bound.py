@@ -20,8 +20,9 @@ def cramer_rao_bound(model, x, initial, u=None, z=None) -> np.ndarray:
     model : LinearModel or NonlinearModel
         With n states.
     x : array_like (T, n) or (runs, T, n)
-        True states, as of `simulate`: the means over the runs stand for the means over all that may happen. Of one run
-        the result is what could be done by a filter that knew where to take its slopes.
+        True states, as of `simulate`. One run: the bound along this path, the P of an extended filter whose slopes are
+        taken at the truth. Many runs: their mean information. It is a bound on the mean over all that may happen, but
+        where each run hides another direction it can lie far below what is possible; then compute each run's alone.
     initial : Gaussian
         The belief one step before the first reading, the same for all runs. The slope of the first move is taken at its
         mean, as nobody tells the states there.

@@ -9,6 +9,8 @@ from kflearn import (
     cramer_rao_bound,
     extended_kalman_filter,
     kalman_filter,
+    linearized_kalman_filter,
+    scenarios,
     simulate,
     white_acceleration,
 )
@@ -51,6 +53,18 @@ def test_a_linear_model_dressed_as_functions():
     for other in (plain, NonlinearModel(plain.f, plain.h, plain.Q, plain.R)):  # with Jacobians, and without
         found = cramer_rao_bound(other, x, start)
         np.testing.assert_allclose(found, cramer_rao_bound(model, x, start), rtol=0, atol=1e-7)
+
+
+def test_along_one_path_it_is_the_filter_with_slopes_at_the_truth():
+    """As lesson 15 computes it for bearings; the mean information of many such paths is a far weaker bound."""
+    scene = scenarios.bearings_only("honest start")
+    x = scene.simulate(runs=40, rng=1).x
+    best = linearized_kalman_filter(scene.model, np.zeros((40, x.shape[1], 1)), scene.initial, nominal=x).cov
+    for run in range(3):
+        found = cramer_rao_bound(scene.model, x[run], scene.initial)
+        np.testing.assert_allclose(found, best[run], rtol=0, atol=1e-9 * abs(best[run]).max())
+    mean = cramer_rao_bound(scene.model, x, scene.initial)[-1]
+    assert np.trace(mean) < np.trace(best[:, -1].mean(axis=0)) / 1.2
 
 
 def whole_path(model, x, start):
