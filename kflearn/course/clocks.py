@@ -126,9 +126,9 @@ def jam(rate) -> tuple[Readings, Readings, np.ndarray, np.ndarray]:
     times = np.arange(4001) / 100
     speed = np.interp(times, [0, 6, 12, 26, 32, 40], [25, 25, 0, 0, 20, 20])
     place = np.concatenate([[0], np.cumsum((speed[1:] + speed[:-1]) / 200)])
-    noise, turns = np.random.default_rng(7).normal(0, 1, 600), np.arange(0.1037, 40, 0.2)
+    noise, turns = np.random.default_rng(7).normal(0, 1, 600), np.arange(0.1037, 40, 0.4)
     fixes = np.arange(1, 39, 1 / rate)
     z = np.interp(fixes, times, place) + noise[200 : 200 + len(fixes)] * np.sqrt(R_PLACE)
-    v = np.interp(turns, times, speed) + noise[:200] * np.sqrt(R_SPEED)
+    v = np.interp(turns, times, speed) + noise[: len(turns)] * np.sqrt(R_SPEED)
     wheels = Readings(turns, v, H_SPEED, R_SPEED)
     return Readings(fixes, z, H_PLACE, R_PLACE), wheels, times, np.stack([place, speed], axis=-1)
