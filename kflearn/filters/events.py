@@ -135,7 +135,7 @@ def _checked(i, sensor):
 
 def _wanted(at):
     """Wanted times as an array, which may be empty."""
-    if np.size(at) == 0:
+    if getattr(at, "size", len(at) if isinstance(at, (list, tuple)) else 1) == 0:
         return np.zeros(0)
     return check.shape("at", check.numbers("at", at), (None,), exact=True)
 

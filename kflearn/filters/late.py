@@ -172,15 +172,17 @@ class TimedFilter:
         """The belief dt seconds later, and F: eqs (5) and (6)."""
         if dt == 0:  # two sensors at one moment
             return belief, np.eye(self._n)
-        F, Q = (np.asarray(M, float) for M in self._moves(dt))
-        for name, M in (("F", F), ("Q", Q)):
-            if M.shape != (self._n, self._n):
-                raise ValueError(f"moves must return matrices ({self._n}, {self._n}), got {name} of shape {M.shape}")
+        made = self._moves(dt)
+        if not isinstance(made, (tuple, list)) or len(made) != 2:
+            raise TypeError(f"moves must return two matrices, F and Q, got {type(made).__name__}")
+        F, Q = (check.square(f"the {name} of moves", M, self._n) for name, M in zip("FQ", made, strict=True))
         return unchecked_gaussian(matvec(F, belief.mean), symmetric(congruence(F, belief.cov)[0] + Q)), F
 
     def _corrected(self, belief, z, H, R):
         """The belief after a reading, eqs (7) to (9), and the NIS of the reading."""
         mean = matvec(H, belief.mean)
-        made = condition(belief, Moments(mean, *congruence(H, belief.cov), H), z - mean, R, len(self.log))
+        with np.errstate(over="ignore"):  # a NIS may be infinite
+            made = condition(belief, Moments(mean, *congruence(H, belief.cov), H), z - mean, R, len(self.log))
+            score = scores(made.innovation)[0]
         self.corrections += 1
-        return made.belief, scores(made.innovation)[0]
+        return made.belief, score

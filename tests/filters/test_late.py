@@ -96,6 +96,13 @@ def test_retrodiction_is_bar_shaloms_algorithm(lag):
     assert fed([*order, i], times, z).corrections == T + lag
 
 
+def test_a_late_reading_may_be_the_first():
+    times, z = readings(T=4)
+    before = fed([1, 2, 3], times, z).belief
+    live = fed([1, 2, 3, 0], times, z, late="retrodict")
+    close(live.belief, *algorithm_A(START, 0.0, before, times[3], z[0], times[0]))
+
+
 def test_retrodiction_is_better_than_to_drop():
     """The errors that both claim, and that both make, over many runs."""
     rng, T = np.random.default_rng(4), 10
@@ -146,6 +153,7 @@ REFUSED = [
     (lambda f: TimedFilter(moves, START, 0, late="forget"), "late must be one of 'replay', 'retrodict', 'drop', got"),
     (lambda f: TimedFilter(moves, START, 0, keep=0), "keep must be a whole number of at least 1, got 0"),
     (lambda f: TimedFilter(moves, START, np.nan), "time must be finite, found nan"),
+    (lambda f: TimedFilter(lambda dt: 3, START, 0).predict_to(1), "moves must return two matrices, F and Q, got int"),
     (lambda f: f.update(1.0, [[1.0]], R, 2.0), r"H must have shape \(any, 2\), got \(1, 1\)"),
     (lambda f: f.update([1.0, 2.0], H, R, 2.0), r"z must have shape \(1,\), got \(2,\)"),
     (lambda f: f.update(1.0, H, -R, 2.0), "R must be positive definite"),
@@ -154,7 +162,7 @@ REFUSED = [
     (lambda f: f.predict_to(0.5), "t must be 1 or later, the time of the newest reading, got 0.5"),
     (
         lambda f: TimedFilter(lambda dt: (1, 2), START, 0).predict_to(1),
-        r"moves must return matrices \(2, 2\), got F",
+        r"the F of moves must have shape \(2, 2\), got the number 1",
     ),
 ]
 
