@@ -62,7 +62,8 @@ def merge_events(sensors, start, at=()) -> Events:
 
     Each moment is a step. All components of all sensors stand side by side; those that were not read at a moment are
     gaps there. So `LinearModel(F, events.H, Q, events.R)`, with F and Q for `events.dt`, goes with `events.z` through
-    every filter and smoother. Moments `at` which nothing is read are steps too: an even path, or a forecast.
+    every filter and smoother. Moments `at` which nothing is read are steps too: an even path, or a forecast. A
+    nonlinear model takes dt[k] in its f(x, u, k), and its h returns the components of all sensors.
 
     Parameters
     ----------

@@ -3,7 +3,17 @@
 import numpy as np
 import pytest
 
-from kflearn import Gaussian, LinearModel, Readings, discretise, kalman_filter, merge_events, rts_smoother
+from kflearn import (
+    Gaussian,
+    LinearModel,
+    NonlinearModel,
+    Readings,
+    discretise,
+    extended_kalman_filter,
+    kalman_filter,
+    merge_events,
+    rts_smoother,
+)
 from tests.helpers import random_covariance
 
 A, L, q = np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[0.0], [1.0]]), 0.3
@@ -107,6 +117,15 @@ def test_many_runs_at_once(sensors):
     assert events.z.shape == (7, len(events.times), 4)
     alone = merge_events([many._replace(z=many.z[4]), *sensors[1:]], P0)
     np.testing.assert_allclose(filtered(events).mean[4], filtered(alone).mean, rtol=0, atol=1e-11)
+
+
+def test_a_nonlinear_model_takes_the_steps_by_their_number(sensors):
+    events = merge_events(sensors[:2], P0)
+    F, Q = discretise(A, L, q, events.dt)
+    model = NonlinearModel(lambda x, u, k: x @ F[k].T, lambda x: x @ events.H.T, Q, events.R)
+    found, right = extended_kalman_filter(model, events.z, START), filtered(events)
+    np.testing.assert_allclose(found.mean, right.mean, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(found.cov, right.cov, rtol=0, atol=1e-7)
 
 
 def test_full_covariances_are_blocks():
