@@ -24,13 +24,15 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     imm_filter                  several, of both     MultipleModelTrack  no
     mmae_filter                 several, of both     MultipleModelTrack  no
 
-Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Starts: start_from,
-diffuse_start. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother,
-two_filter_smoother, lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em;
-disturbances, which reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse,
-report_card; with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
-singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
-recordings (which raises RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
+Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Time: discretise, for steps of
+any length; Readings, merge_events, several sensors; TimedFilter, late readings. Starts: start_from, diffuse_start. The
+ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother,
+lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em; disturbances, which
+reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
+running_nis, cusum, while it runs; cramer_rao_bound, could any do better? with_error, a Measured mean over runs.
+Models: random_walk, constant_velocity, white_acceleration, constant_acceleration, singer, cart; simulate,
+numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which raises
+RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
 """
 
 from importlib import import_module
@@ -39,9 +41,11 @@ from .core.angles import angle_difference, circular_mean, wrap
 from .course import bearings, examples, homing, navigation, recordings, scenarios, video
 from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
+from .filters.bound import cramer_rao_bound
 from .filters.consider import schmidt_kalman_filter
 from .filters.diffuse import diffuse_start
 from .filters.disturbances import disturbances
+from .filters.events import Readings, merge_events
 from .filters.forecast import forecast
 from .filters.kalman import (
     cubature_kalman_filter,
@@ -50,6 +54,7 @@ from .filters.kalman import (
     linearized_kalman_filter,
     unscented_kalman_filter,
 )
+from .filters.late import TimedFilter
 from .filters.moments import cubature, linearize, unscented
 from .filters.multiple_models import MultipleModelTrack, imm_filter, mmae_filter
 from .filters.online import OnlineFilter
@@ -62,8 +67,16 @@ from .filters.table import Row, settings
 from .filters.two_filter import two_filter_smoother
 from .fitting.em import em
 from .fitting.fit import fit
+from .models.continuous import discretise
 from .models.gaussian import Gaussian
-from .models.kinematics import cart, constant_acceleration, constant_velocity, random_walk, singer
+from .models.kinematics import (
+    cart,
+    constant_acceleration,
+    constant_velocity,
+    random_walk,
+    singer,
+    white_acceleration,
+)
 from .models.simulation import simulate
 from .models.slopes import numerical_jacobian
 from .models.state_space import LinearModel, NonlinearModel
@@ -71,6 +84,7 @@ from .results.comparison import Measured, with_error
 from .results.consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
 from .results.report import report_card
 from .results.track import Track
+from .results.watch import cusum, running_nis
 
 __version__ = "0.2.0"  # said here only: pyproject.toml, lesson 0 and the web page read it
 
@@ -117,7 +131,9 @@ __all__ = [
     "Measured",
     "NonlinearModel",
     "OnlineFilter",
+    "Readings",
     "RecordingError",
+    "TimedFilter",
     "Track",
     "adaptive_kalman_filter",
     "angle_difference",
@@ -129,9 +145,12 @@ __all__ = [
     "constant_velocity",
     "correct",
     "coverage",
+    "cramer_rao_bound",
     "cubature",
     "cubature_kalman_filter",
+    "cusum",
     "diffuse_start",
+    "discretise",
     "disturbances",
     "em",
     "examples",
@@ -145,6 +164,7 @@ __all__ = [
     "lag_one_covariances",
     "linearize",
     "linearized_kalman_filter",
+    "merge_events",
     "mmae_filter",
     "navigation",
     "nees",
@@ -157,6 +177,7 @@ __all__ = [
     "report_card",
     "rmse",
     "rts_smoother",
+    "running_nis",
     "scenarios",
     "schmidt_kalman_filter",
     "simulate",
@@ -168,6 +189,7 @@ __all__ = [
     "unscented",
     "unscented_kalman_filter",
     "video",
+    "white_acceleration",
     "whiteness",
     "with_error",
     "wrap",

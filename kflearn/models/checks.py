@@ -65,6 +65,18 @@ def number(name, value, positive=False, least=None) -> float:
     return array.item()
 
 
+def time_steps(name, value) -> np.ndarray:
+    """Seconds: one number above 0, or an array (..., T), one for each step, of numbers that are 0 or more."""
+    array = numbers(name, value)
+    if array.ndim == 0:
+        return np.array(number(name, value, positive=True))
+    if (array < 0).any():
+        raise ValueError(f"{name} must be at least 0 at each step, found {array[array < 0][0]:g}")
+    if bad := [step for step in array.flat if step != 0 and not 1e-150 < step < 1e150]:
+        raise ValueError(f"{name} must be 0, or of a size between 1e-150 and 1e150, found {bad[0]:g}")
+    return array
+
+
 def shape(name, array, expected, exact=False) -> np.ndarray:
     """The last axes of `array` must have the lengths `expected`; None stands for any length.
 

@@ -3,7 +3,17 @@
 import numpy as np
 import pytest
 
-from kflearn import Gaussian, cart, constant_acceleration, constant_velocity, random_walk, simulate, singer
+from kflearn import (
+    Gaussian,
+    cart,
+    constant_acceleration,
+    constant_velocity,
+    discretise,
+    random_walk,
+    simulate,
+    singer,
+    white_acceleration,
+)
 from tests.models.wrong_calls import I2, NAMES, inf, nan, refuses, stack, words
 
 MODELS = [
@@ -53,7 +63,17 @@ MODELS = [
     ("R of a walk", lambda a: random_walk(1, I2), "R", "(1, 1), got (2, 2)"),
     ("dt zero", lambda a: constant_velocity(0, 1, 1), "dt", "positive, got 0"),
     ("dt without a square", lambda a: constant_velocity(1e200, 1, 1), "dt", "between 1e-150 and 1e150, got 1e+200"),
-    ("dt a vector", lambda a: constant_velocity([1, 1], 1, 1), "dt", "single number, got shape (2,)"),
+    ("dt negative at a step", lambda a: constant_velocity([1, -1], 1, 1), "dt", "at least 0 at each step, found -1"),
+    ("dt tiny at a step", lambda a: random_walk(1, 1, dt=[1, 1e-200]), "dt", "between 1e-150 and 1e150, found 1e-200"),
+    ("dt with NaN", lambda a: white_acceleration([1, nan], 1, 1), "dt", "finite, found nan"),
+    ("intensity negative", lambda a: white_acceleration(1, -1, 1), "intensity", "at least 0, got -1"),
+    ("A not square", lambda a: discretise([[0, 1]], [[1]], 1, 1), "A", "square, got shape (1, 2)"),
+    ("A a stack", lambda a: discretise(stack(I2, 3), [[0], [1]], 1, 1), "A", "shape (any, any), got (3, 2, 2)"),
+    ("L of three", lambda a: discretise(I2, np.ones((3, 1)), 1, 1), "L", "(2, any), got (3, 1)"),
+    ("q negative", lambda a: discretise(I2, [[0], [1]], -1, 1), "q", "semi-definite, found -1"),
+    ("q of two", lambda a: discretise(I2, [[0], [1]], I2, 1), "q", "(1, 1), got (2, 2)"),
+    ("no time for A", lambda a: discretise(I2, [[0], [1]], 1, 0), "dt", "positive, got 0"),
+    ("growth beyond floats", lambda a: discretise(I2, [[0], [1]], 1, 1e4), "dt", "shorter: in 10000 s"),
     ("acceleration text", lambda a: constant_velocity(1, "fast", 1), "acceleration", "found text"),
     ("massless cart", lambda a: cart(1, 0, I2, 1), "mass", "positive, got 0"),
     ("f no function", lambda a: a.bent(f=I2), "f", "a function, got ndarray"),

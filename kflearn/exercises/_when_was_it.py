@@ -1,0 +1,132 @@
+"""Wrong answers to exercises of lesson 25, each with the sentence that it gets."""
+
+import numpy as np
+
+LINES = {
+    1: "Line 1 only names what is handed in. Look at what is done with it, and at what is never used.",
+    2: "F carries the state over dt seconds, as it should. Which dt is it given?",
+    3: "This is the white Q of lesson 1, for dt seconds. Which dt is it given?",
+    5: "All readings must be gone through, in the order of time. That they are.",
+    6: "To predict for dt[k] before the reading k is right, if dt[k] is the step that ends there. Is it?",
+    7: "The innovation and its variance are right. They come after the prediction; how long was that?",
+    8: "The correction is right: K y is added to the mean, and K S Kᵀ is taken off.",
+    9: "Line 9 only gives back the last belief.",
+}
+
+
+def shifted(v, late, j):
+    return np.corrcoef(v[: len(v) - j], late[j:])[0, 1]
+
+
+def scores(v, late):
+    return [shifted(v, late, j) for j in range(11)]
+
+
+def other_way(v, late):
+    return [np.corrcoef(v[j:], late[: len(late) - j])[0, 1] for j in range(11)]
+
+
+def products(v, late):
+    """Sums of products, the means not taken off."""
+    return [np.sum(v[: len(v) - j] * late[j:]) for j in range(11)]
+
+
+def least_difference(v, late, dt):
+    """The shift at which the two differ least, each about its own mean."""
+    return np.argmin([np.var(v[: len(v) - j] - late[j:]) for j in range(11)]) * dt
+
+
+def whole_series(v, late, dt):
+    """NumPy's cross-correlation of the whole series, the means taken off."""
+    return np.argmax(np.correlate(late - late.mean(), v - v.mean(), "full")[len(v) - 1 : len(v) + 10]) * dt
+
+
+OTHER_WAYS = [least_difference, whole_series]
+
+WRONG = {
+    "behind": {
+        "ahead": (
+            3.6,
+            "The size is right. The reading tells where the bus was 0.24 s before the stamp, so it lies behind the bus: −.",
+        ),
+        "km/h for m/s": (-12.96, "You multiplied km/h by s. 54 km/h is 54/3.6 = 15 m/s."),
+        "km/h for m/s, ahead": (
+            12.96,
+            "You multiplied km/h by s; 54 km/h is 54/3.6 = 15 m/s. And the reading lies behind the bus: −.",
+        ),
+        "milliseconds": (-3600.0, "240 ms are 0.24 s."),
+        "milliseconds, ahead": (3600.0, "240 ms are 0.24 s. And the reading lies behind the bus: −."),
+        "one second": (-15.0, "That is what the bus drives in a whole second. The stamp is late by 0.24 s."),
+        "one second, ahead": (
+            15.0,
+            "That is what the bus drives in a whole second. The stamp is late by 0.24 s, and the reading lies behind the bus.",
+        ),
+        "there and back": (-7.2, "Twice too much: the delay counts once, between the reading and its stamp."),
+        "half": (-1.8, "Half of it. The bus drives on for the whole 0.24 s."),
+        "divided": (-62.5, "You divided the speed by the time. Metres are m/s times s."),
+        "divided, ahead": (
+            62.5,
+            "You divided the speed by the time. Metres are m/s times s, and the reading lies behind.",
+        ),
+        "times 3.6": (-46.656, "You multiplied by 3.6. From km/h to m/s one divides: 54/3.6 = 15 m/s."),
+        "times 3.6, ahead": (
+            46.656,
+            "You multiplied by 3.6; from km/h to m/s one divides, 54/3.6 = 15 m/s. And the reading lies behind the bus: −.",
+        ),
+        "seconds": (-0.24, "That is the delay itself, in s. In metres it is that times the speed."),
+        "nothing": (
+            0.0,
+            "A filter that believes the stamp puts the reading where the bus is only 0.24 s later. At 15 m/s that is not nothing.",
+        ),
+    },
+    "clock_offset": {
+        "steps": (
+            lambda v, late, dt: float(np.argmax(scores(v, late))),
+            "That is the number of steps. Seconds were asked for: times dt.",
+        ),
+        "negative": (
+            lambda v, late, dt: -np.argmax(scores(v, late)) * dt,
+            "The size is right. The second series is late, and the delay is asked for as a positive number.",
+        ),
+        "other way": (
+            lambda v, late, dt: np.argmax(other_way(v, late)) * dt,
+            "You shifted the other series: you looked for a delay of v. If `late` is late by j steps, `late[j:]` belongs to `v[:len(v) - j]`.",
+        ),
+        "smallest": (
+            lambda v, late, dt: np.argmin(scores(v, late)) * dt,
+            "You took the shift at which the two are least alike. Take the largest correlation.",
+        ),
+        "mean not taken off": (
+            lambda v, late, dt: np.argmax(products(v, late)) * dt,
+            "You added products without taking off the means, and over more terms for a small shift: such a sum is large where there are many terms. Use the correlation.",
+        ),
+        "one step too many": (
+            lambda v, late, dt: (np.argmax(scores(v, late)) + 1) * dt,
+            "One step too many. Does your first shift, number 0, mean no shift at all?",
+        ),
+        "one step too few": (
+            lambda v, late, dt: (np.argmax(scores(v, late)) - 1) * dt,
+            "One step too few. Does your list begin with the shift 0?",
+        ),
+        "the correlation itself": (
+            lambda v, late, dt: np.max(scores(v, late)),
+            "That is the largest correlation itself. Its place in the list, times dt, was asked for.",
+        ),
+        "divided by dt": (
+            lambda v, late, dt: np.argmax(scores(v, late)) / dt,
+            "You divided by dt. A number of steps times the length of a step is a time.",
+        ),
+        "five shifts only": (
+            lambda v, late, dt: np.argmax(scores(v, late)[:5]) * dt,
+            "You tried too few shifts. The delay is 0 to 10 steps: that makes eleven.",
+        ),
+    },
+    "which_step": {str(line): ({line}, sentence) for line, sentence in LINES.items()},
+}
+
+
+def of_no_table(answer):
+    """What is said of a number that is near the right one, or has another delay in it."""
+    if -3.7 < answer < -3.5:
+        return "Nearly: 15 m/s times 0.24 s, with three digits."
+    return None
