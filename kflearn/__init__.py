@@ -29,8 +29,10 @@ diffuse_start. The ways through a function: linearize, unscented, cubature. Smoo
 two_filter_smoother, lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em;
 disturbances, which reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse,
 report_card; with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
-singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
-recordings (which raises RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
+singer, cart; simulate, numerical_jacobian. Whose reading is it? scan_targets, pair_up, pda_weights, assign;
+pda_filter, nearest_filter and gnn_filter, which return a ScanTrack; tracker, gospa. Angles: wrap, angle_difference,
+circular_mean. Of the course: scenarios, recordings (which raises RecordingError), examples (real recordings), bearings,
+homing, navigation, video, plots.
 """
 
 from importlib import import_module
@@ -71,6 +73,12 @@ from .results.comparison import Measured, with_error
 from .results.consistency import chi_square_interval, coverage, nees, nis, rmse, whiteness
 from .results.report import report_card
 from .results.track import Track
+from .targets.assign import assign
+from .targets.filters import ScanTrack, gnn_filter, nearest_filter, pda_filter, pda_weights
+from .targets.gospa import gospa
+from .targets.pairs import pair_up
+from .targets.scans import scan_targets
+from .targets.tracker import tracker
 
 __version__ = "0.2.0"  # said here only: pyproject.toml, lesson 0 and the web page read it
 
@@ -118,9 +126,11 @@ __all__ = [
     "NonlinearModel",
     "OnlineFilter",
     "RecordingError",
+    "ScanTrack",
     "Track",
     "adaptive_kalman_filter",
     "angle_difference",
+    "assign",
     "bearings",
     "cart",
     "chi_square_interval",
@@ -138,6 +148,8 @@ __all__ = [
     "extended_kalman_filter",
     "fit",
     "forecast",
+    "gnn_filter",
+    "gospa",
     "homing",
     "imm_filter",
     "kalman_filter",
@@ -147,9 +159,13 @@ __all__ = [
     "linearized_kalman_filter",
     "mmae_filter",
     "navigation",
+    "nearest_filter",
     "nees",
     "nis",
     "numerical_jacobian",
+    "pair_up",
+    "pda_filter",
+    "pda_weights",
     "plots",
     "predict",
     "random_walk",
@@ -157,6 +173,7 @@ __all__ = [
     "report_card",
     "rmse",
     "rts_smoother",
+    "scan_targets",
     "scenarios",
     "schmidt_kalman_filter",
     "simulate",
@@ -164,6 +181,7 @@ __all__ = [
     "square_root_kalman_filter",
     "start_from",
     "steady_state",
+    "tracker",
     "two_filter_smoother",
     "unscented",
     "unscented_kalman_filter",
