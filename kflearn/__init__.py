@@ -32,13 +32,13 @@ report_card; with_error, a Measured mean over runs. Models: random_walk, constan
 singer, cart; simulate, numerical_jacobian. Whose reading is it? scan_targets, pair_up, pda_weights, assign;
 pda_filter, nearest_filter and gnn_filter, which return a ScanTrack; tracker, gospa. Angles: wrap, angle_difference,
 circular_mean. Of the course: scenarios, recordings (which raises RecordingError), examples (real recordings), bearings,
-homing, navigation, video, plots.
+boats, homing, navigation, video, plots.
 """
 
 from importlib import import_module
 
 from .core.angles import angle_difference, circular_mean, wrap
-from .course import bearings, examples, homing, navigation, recordings, scenarios, video
+from .course import bearings, boats, examples, homing, navigation, recordings, scenarios, video
 from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.consider import schmidt_kalman_filter
@@ -132,6 +132,7 @@ __all__ = [
     "angle_difference",
     "assign",
     "bearings",
+    "boats",
     "cart",
     "chi_square_interval",
     "circular_mean",

@@ -71,7 +71,7 @@ def pda_weights(pairs, detection, clutter) -> np.ndarray:
 
     References
     ----------
-    Bar-Shalom and Tse 1975; Bar-Shalom, Daum and Huang 2009, eqs (37)–(39).
+    Bar-Shalom and Tse 1975; Bar-Shalom, Daum and Huang 2009.
 
     Examples
     --------
@@ -161,7 +161,7 @@ def nearest_filter(model, z, initial, u=None, *, gate=0.99) -> ScanTrack:
 
     References
     ----------
-    Bar-Shalom, Willett and Tian 2011, *Tracking and Data Fusion*, ch. 3.2.
+    Bar-Shalom, Willett and Tian 2011, *Tracking and Data Fusion*
 
     Examples
     --------
@@ -204,7 +204,7 @@ def gnn_filter(model, z, initial, u=None, *, detection, clutter, gate=0.99, how=
 
     References
     ----------
-    Blackman and Popoli 1999, *Design and Analysis of Modern Tracking Systems*, ch. 6.4.
+    Blackman and Popoli 1999, *Design and Analysis of Modern Tracking Systems*.
 
     Examples
     --------

@@ -95,7 +95,7 @@ def pair_up(model, belief, z, *, gate=0.99, k=0) -> Pairs:
 
     References
     ----------
-    Bar-Shalom, Willett and Tian 2011, *Tracking and Data Fusion*, ch. 2.3.
+    Bar-Shalom, Willett and Tian 2011, *Tracking and Data Fusion*
 
     Examples
     --------

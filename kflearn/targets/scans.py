@@ -61,7 +61,7 @@ def scan_targets(model, x, detection, clutter, region, rng=None) -> Scans:
 
     References
     ----------
-    Bar-Shalom, Willett and Tian 2011, *Tracking and Data Fusion*, ch. 2.5.
+    Bar-Shalom, Willett and Tian 2011, *Tracking and Data Fusion*
 
     Examples
     --------

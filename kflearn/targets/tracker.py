@@ -125,7 +125,7 @@ def tracker(model, z, birth, *, detection, clutter, gate=0.99, confirm=(2, 3), p
 
     References
     ----------
-    Blackman and Popoli 1999, ch. 6.2 (score and M of N) and 6.4; Sittler 1964 (the score).
+    Sittler 1964 (the score); Blackman and Popoli 1999, *Design and Analysis of Modern Tracking Systems*.
 
     Examples
     --------
