@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.conditioning import covariance_after, definite, divide, log_determinant, squared_distance
+from ..core.conditioning import covariance_after, definite, divide, log_determinant
 from ..core.matrices import step_matrix
 from ..filters.gate import gate_limits
 from ..filters.moments import linearize
@@ -122,7 +122,8 @@ def compare(model, predicted, z, k, gate, limit) -> Pairs:
     y = model.difference(z, expected.mean[..., None, :])
     gain = divide(expected.cross, S)
     corrected = covariance_after(gain, predicted.cov, expected.slope, R)
-    return Pairs(predicted, y, S, gain, corrected, squared_distance(y, S[..., None, :, :]), gate, limit)
+    nis = (divide(y, S) * y).sum(axis=-1)
+    return Pairs(predicted, y, S, gain, corrected, nis, gate, limit)
 
 
 def scan_readings(model, z, shape) -> np.ndarray:
