@@ -9,7 +9,7 @@ READY := $(VENV)/ready
 MORE := $(VENV)/more
 FIRST := 00-start-here.ipynb
 ROOT := $(if $(filter 0,$(shell id -u)),--allow-root)
-QUICK := $(addprefix tests/,core models results filters fitting course test_house.py test_import.py) kflearn
+QUICK := $(addprefix tests/,core models results filters fitting targets course test_house.py test_import.py) kflearn
 define ROOT_NOTE
 @echo "You are root, as in a container or in WSL: JupyterLab is told that this is meant."
 @echo "If no browser opens, open the address that JupyterLab prints."

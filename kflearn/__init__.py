@@ -31,14 +31,16 @@ lag_one_covariances; what comes next: forecast, steady_state. Parameters from da
 reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
 running_nis, cusum, while it runs; cramer_rao_bound, could any do better? with_error, a Measured mean over runs.
 Models: random_walk, constant_velocity, white_acceleration, constant_acceleration, singer, cart; simulate,
-numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which raises
-RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
+numerical_jacobian. Whose reading is it? scan_targets, pair_up, pda_weights, assign; pda_filter, nearest_filter and
+gnn_filter, which return a ScanTrack; tracker, gospa. Angles: wrap, angle_difference, circular_mean. Of the course:
+scenarios, recordings (which raises RecordingError), examples (real recordings), bearings, boats, homing, navigation,
+video, plots.
 """
 
 from importlib import import_module
 
 from .core.angles import angle_difference, circular_mean, wrap
-from .course import bearings, examples, homing, navigation, recordings, scenarios, video
+from .course import bearings, boats, examples, homing, navigation, recordings, scenarios, video
 from .course.recordings import RecordingError
 from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.bound import cramer_rao_bound
@@ -85,6 +87,12 @@ from .results.consistency import chi_square_interval, coverage, nees, nis, rmse,
 from .results.report import report_card
 from .results.track import Track
 from .results.watch import cusum, running_nis
+from .targets.assign import assign
+from .targets.filters import ScanTrack, gnn_filter, nearest_filter, pda_filter, pda_weights
+from .targets.gospa import gospa
+from .targets.pairs import pair_up
+from .targets.scans import scan_targets
+from .targets.tracker import tracker
 
 __version__ = "0.2.0"  # said here only: pyproject.toml, lesson 0 and the web page read it
 
@@ -133,11 +141,14 @@ __all__ = [
     "OnlineFilter",
     "Readings",
     "RecordingError",
+    "ScanTrack",
     "TimedFilter",
     "Track",
     "adaptive_kalman_filter",
     "angle_difference",
+    "assign",
     "bearings",
+    "boats",
     "cart",
     "chi_square_interval",
     "circular_mean",
@@ -157,6 +168,8 @@ __all__ = [
     "extended_kalman_filter",
     "fit",
     "forecast",
+    "gnn_filter",
+    "gospa",
     "homing",
     "imm_filter",
     "kalman_filter",
@@ -167,9 +180,13 @@ __all__ = [
     "merge_events",
     "mmae_filter",
     "navigation",
+    "nearest_filter",
     "nees",
     "nis",
     "numerical_jacobian",
+    "pair_up",
+    "pda_filter",
+    "pda_weights",
     "plots",
     "predict",
     "random_walk",
@@ -178,6 +195,7 @@ __all__ = [
     "rmse",
     "rts_smoother",
     "running_nis",
+    "scan_targets",
     "scenarios",
     "schmidt_kalman_filter",
     "simulate",
@@ -185,6 +203,7 @@ __all__ = [
     "square_root_kalman_filter",
     "start_from",
     "steady_state",
+    "tracker",
     "two_filter_smoother",
     "unscented",
     "unscented_kalman_filter",

@@ -16,6 +16,9 @@ SLOW = (  # beginnings of names: more than about a second, on a quiet machine
     "tests/filters/test_multiple_models.py::test_no_weight_ever_dies",
     "tests/filters/test_properties.py::test_a_converged_gain_changes_nothing[150]",
     "tests/filters/test_properties.py::test_a_slowly_converging_gain_is_not_held_too_early",
+    "tests/targets/test_filters.py::test_among_false_readings",
+    "tests/targets/test_filters.py::test_the_weights_by_counting",
+    "tests/targets/test_tracker.py::test_stricter_rules_make_fewer_false_tracks_and_later_true_ones",
     "tests/test_import.py::test_it_takes_less_time_than_numpy_alone",
 )
 

@@ -71,6 +71,7 @@ def arrays(track):
 
 def test_every_public_filter_has_a_row():
     public = {name for name in kflearn.__all__ if name.endswith("_filter")}
+    public -= {name for name in public if ".targets." in getattr(kflearn, name).__module__}  # they take scans
     assert {row.name for row in FILTERS} == public
     for row in FILTERS:
         assert getattr(kflearn, row.name) is row.function
