@@ -41,7 +41,7 @@ def swing(dt, q, m=1):
 
 def remembering(dt, q, m=1):
     """F, H, Q of a constant velocity, and of an error that fades in 10 s."""
-    F, H, Q = velocity(dt, q)
+    F, _, Q = velocity(dt, q)
     fade = np.exp(-dt / 10)
     zero = np.zeros((len(dt), 2, 1))
     F = np.block([[F, zero], [zero.mT, fade[:, None, None]]])
@@ -156,10 +156,12 @@ KINDS = (
 )
 
 RIDE = Kind("velocity, 260, R of 60 at rest", velocity, 260, 0.5, 9.0, still=60)
+TOLD = Kind("velocity, 260", velocity, 260, 0.5, 9.0)
 WALK = Kind("walk, 200", walk, 200, 0.2, 1.0)
 
 WRONG = (  # what is wrong, the kind of recording, the filter's R and q as multiples of the true ones, the recording
-    ("R half", RIDE, dict(R=0.5), {}),
+    ("R half", TOLD, dict(R=0.5), {}),
+    ("R half", KINDS[9], dict(R=0.5), {}),
     ("R half", WALK, dict(R=0.5), {}),
     ("Q a tenth", RIDE, dict(q=0.1), {}),
     ("Q a tenth", WALK, dict(q=0.1), {}),
