@@ -1,11 +1,11 @@
-"""Numbers: random settings of every scenario for every filter, playgrounds on a full grid, odd arrays, odd units."""
+"""Numbers: random settings of every scenario for every filter, playgrounds on a full grid, odd units, report cards."""
 
 from collections import defaultdict
 
 import numpy as np
 from scipy.stats import binom
 
-from dev.hard import draws, grid, units
+from dev.hard import cards, draws, grid, units
 from dev.hard.attempt import attempt, beliefs, refusal
 from dev.hard.line import Line, Tally
 from kflearn import LinearModel
@@ -22,6 +22,7 @@ def lines(quick):
     yield from random_settings(FEW, 1) if quick else random_settings(draws.NAMES, 5)
     yield from units.lines(quick)
     yield from grid.lines(quick)
+    yield from cards.lines(quick)
 
 
 # ---- random settings

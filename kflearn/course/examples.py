@@ -25,7 +25,7 @@ import numpy as np
 
 from .recordings import Recording, RecordingError, read
 
-__all__ = ["NAMES", "Example", "how_well", "load", "who_fits_nile"]
+__all__ = ["NAMES", "Example", "how_well", "load", "path", "who_fits_nile"]
 
 NAMES = ("light", "nile", "co2", "seattle", "spring", "imu")
 
@@ -45,6 +45,35 @@ class Example(Recording):
     title: str
     source: str
     licence: str
+
+
+def path(name) -> Path:
+    """The file of a real recording, to be read as if it were one's own.
+
+    Parameters
+    ----------
+    name : str
+        As for `load`.
+
+    Returns
+    -------
+    Path
+        Of a table of text, which begins with comments.
+
+    Raises
+    ------
+    RecordingError
+        For any other name.
+
+    Examples
+    --------
+    >>> from kflearn import examples
+    >>> print(examples.path("co2").name)
+    co2.csv
+    """
+    if name not in NAMES:
+        raise RecordingError((None, f"there is no real recording {name!r}; they are {', '.join(NAMES)}"))
+    return Path(__file__).with_name("data") / f"{name}.csv"
 
 
 def load(name) -> Example:
@@ -69,18 +98,15 @@ def load(name) -> Example:
     >>> print(f"{air['co2'][0]} {air.units[0]}")
     316.1 ppm
     """
-    if name not in NAMES:
-        raise RecordingError((None, f"there is no real recording {name!r}; they are {', '.join(NAMES)}"))
-    path = Path(__file__).with_name("data") / f"{name}.csv"
-    said = _said(path)
-    recording = read(path)
+    file = path(name)
+    said, recording = _said(file), read(file)
     parts = {field.name: getattr(recording, field.name) for field in fields(recording)}
     return Example(**parts, title=said["title"], source=said["source"], licence=said["licence"])
 
 
-def _said(path):
+def _said(file):
     """What the comments at the top of a file say: "# licence: public domain" → {"licence": "public domain"}."""
-    lines = path.read_text(encoding="utf-8").splitlines()
+    lines = file.read_text(encoding="utf-8").splitlines()
     pairs = (line[2:].partition(": ") for line in lines if line.startswith("# "))
     return {key: value for key, colon, value in pairs if colon}
 

@@ -1,4 +1,4 @@
-"""Lesson 25: your own data."""
+"""Lesson 27: your own data."""
 
 from itertools import cycle
 
@@ -66,8 +66,7 @@ LOW, HIGH = chi_square_interval(1, 40)
         ),
         "eighty": (
             lambda: tuple(0.09 / end for end in chi_square_interval(1, 80)[::-1]),
-            "That is the number of the lesson's ride with two axes. One column of 41 readings has 40 degrees of "
-            "freedom.",
+            "That is the number for two columns together. One column of 41 readings has 40 degrees of freedom.",
         ),
         "41 degrees, multiplied": (
             lambda: tuple(0.09 * end for end in chi_square_interval(1, 41)),
@@ -259,7 +258,7 @@ def variance_at_rest(time, z, until):
 @judged(
     hints=[
         "Three things before the first step: R from the first 30 s, the steps Δt from the time stamps, and a start from the first reading. What does each of them look like in this lesson?",
-        "In each step build F and Q from its own Δt, as `design` does. Then predict, ask for the NIS, correct if it passes the gate; a NaN never passes.",
+        "In each step build F and Q from its own Δt, as `velocity` does. Then predict, ask for the NIS, correct if it passes the gate; a NaN never passes.",
         "`R = np.nanvar(z[time < 30], axis=0, ddof=1).mean()`; x = [z[0, 0], 0, z[0, 1], 0] with variances R and 9; a gate at 13.8 refuses one good reading in a thousand.",
     ],
     recording=_a_ride.a_ride,

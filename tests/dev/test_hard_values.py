@@ -5,9 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from dev.hard import draws, grid, units, values
+from dev.hard import cards, draws, grid, units, values
 from dev.hard.attempt import attempt, refusal
+from kflearn import Gaussian, kalman_filter, report_card
 from kflearn.filters import linear
+from kflearn.results import report
 from kflearn.ui import Playground, choice, slider
 
 ROOT = Path(__file__).parents[2]
@@ -18,7 +20,7 @@ ship = pytest.fixture(lambda: units.plain("ship"))
 @pytest.mark.timeout(300)
 def test_the_part_runs():
     lines = list(values.lines(quick=True))
-    assert len(lines) == 9
+    assert len(lines) == 11 + len(cards.WRONG)
     assert not [line for line in lines if not line.ok]
     assert max(len(line.what) for line in lines) <= 58
 
@@ -99,3 +101,44 @@ def test_a_setting_between_the_ends_is_found():
     assert grid.places(board, 40)[0] == sorted({0.0, 2.0, 10.0, *grid.places(board, 40)[0]})
     with pytest.raises(AssertionError, match="not finite"):
         grid.everywhere(board, 40)
+
+
+# ---- the report card
+
+
+def test_an_honest_filter_fails_its_card_in_one_recording_of_twenty():
+    """4,080 recordings of twelve kinds."""
+    all_kinds, worst = cards.honest(340)
+    assert all_kinds.ok and worst.ok, (all_kinds.measured, worst.measured)
+
+
+def test_bands_that_are_too_wide_or_too_narrow_are_found(monkeypatch):
+    short = cards.KINDS[:2]
+    for error in (0.005, 0.2):
+        monkeypatch.setattr(report, "ERROR", error)
+        assert not all(line.ok for line in cards.honest(300, short))
+
+
+def test_one_of_many_is_what_it_would_be_alone():
+    kind = cards.KINDS[7]
+    rng = np.random.default_rng(3)
+    together = list(kind.cards(rng, 3))
+    z, dt = kind.records(np.random.default_rng(3), 3)
+    models, start = kind.filters(z, dt, 1, 1)
+    for k in range(3):
+        model = models.replace(R=models.R[k])
+        begin = Gaussian(start.mean[k], start.cov if start.cov.ndim == 2 else start.cov[k])
+        alone = report_card(
+            z[k],
+            np.arange(kind.T) < kind.still,
+            lambda z, m=model, b=begin: (m, kalman_filter(m, z[1:], b, gate=kind.gate)),
+        )
+        for one, other in zip(alone.tests, together[k].tests, strict=True):
+            assert one.found == pytest.approx(other.found), one.what
+            assert one.low == pytest.approx(other.low) and one.count == other.count
+
+
+def test_a_card_that_passes_everything_is_found(monkeypatch):
+    monkeypatch.setattr(report.ReportCard, "passed", True)
+    lines = list(cards.lines(quick=True))
+    assert [line.ok for line in lines[2:]] == [False] * len(cards.WRONG)
