@@ -10,12 +10,11 @@ from urllib.parse import urlsplit
 import nbformat
 import pytest
 from PIL import Image
-from pypdf import PdfReader
 
 from dev import axe
 from dev import lessons as course
-from dev.lab import CHROMIUM, ROOT
-from dev.web import about, pdf, teaches
+from dev.lab import ROOT
+from dev.web import about, teaches
 from tests.dev.web import BEARINGS, BUILT, FUSION, LESSONS, VOLTMETER, Page, build
 
 pytestmark = pytest.mark.timeout(300)
@@ -292,23 +291,3 @@ def test_axe_finds_no_serious_fault(tab, name, theme):
     page = tab(name, color_scheme=theme)
     page.wait_for_load_state("networkidle")
     assert axe.faults(page, "html") == []
-
-
-@pytest.mark.browser
-@pytest.mark.skipif(not CHROMIUM, reason="no chromium, chromium-browser or google-chrome on the PATH")
-def test_all_pages_become_one_pdf(site, tmp_path):
-    lessons = [name for name in LESSONS if name in (FUSION, VOLTMETER)]
-    sheets = pdf.bind(site, tmp_path / "course.pdf", only=[*lessons, SHEET])
-    book = PdfReader(tmp_path / "course.pdf")
-    assert len(book.pages) == sheets >= 15
-    assert [entry.title for entry in book.outline] == [
-        "4 · Two opinions, one belief",
-        "5 · The voltmeter",
-        "Appendix · Cheat sheet",
-    ]
-    second = book.get_destination_page_number(book.outline[1])
-    assert (
-        "The voltmeter" in book.pages[second].extract_text()
-        and "The voltmeter" not in book.pages[second - 1].extract_text()
-    )
-    assert "Hint 1 of" not in "".join(sheet.extract_text() for sheet in book.pages)
