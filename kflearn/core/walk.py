@@ -129,7 +129,7 @@ class _Atlas:
 
     def __init__(self, start, step, same, symbols):
         self.step, self.same, self.parts = step, same, []
-        self.carried, self.state, self.count = np.array([start]), np.zeros(1, int), 1
+        self.carried, self.state, self.count = np.array([start]), np.zeros(1, np.int64), 1
         self.symbols, self.follows = symbols, {}  # {state * symbols + symbol: the step that follows}
         self.longest = 64  # so many steps, at least, to forget where one came from
         self.rest, self.last = {}, {}  # under each symbol, the state at rest, and the last new one: there may be cycles
@@ -183,12 +183,12 @@ class _Atlas:
         if symbols.shape[-1] > 1:  # most runs come back after a gap to where they rest without one
             self._extend([], 0, int(np.bincount(symbols.ravel()).argmax()), symbols.shape[-1])
         index = np.empty(symbols.shape, np.int32)
-        here = np.zeros(len(symbols), int)
+        here = np.zeros(len(symbols), np.int64)
         for k, now in enumerate(symbols.T):
-            keys, which = np.unique(here * self.symbols + now.astype(int), return_inverse=True)
+            keys, which = np.unique(here * self.symbols + now, return_inverse=True)
             new = [key for key in keys.tolist() if key not in self.follows]
             if new:
-                self._many(np.array(new))
+                self._many(np.array(new, np.int64))
             index[:, k] = np.array([self.follows[key] for key in keys.tolist()])[which]
             here = self.state[index[:, k]]  # of 64 bits: keys may be large
         return index

@@ -56,7 +56,7 @@ def watched(printed):
 
 @contextlib.contextmanager
 def _limit(seconds):
-    """Interrupt the main thread, where cells run, as Ctrl+C does; here that raises TooLong."""
+    """Interrupt the main thread, where cells run, as Ctrl+C does; here that raises TooLong. In a browser, no limit."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -75,7 +75,8 @@ def _limit(seconds):
 
     before, timer = signal.signal(signal.SIGINT, interrupted), threading.Timer(seconds, stop)
     timer.daemon = True
-    timer.start()
+    with contextlib.suppress(RuntimeError):  # Python in a browser has one thread: nobody there can interrupt it
+        timer.start()
     try:
         yield
     finally:

@@ -1,0 +1,1 @@
+"""The course without an installation: a JupyterLite site, and the lessons under WebAssembly."""
