@@ -3,6 +3,8 @@
 
 PYTHON ?= $(firstword $(shell command -v python3 python py) python3)
 VENV := .venv
+LITE := .venv-lite
+WASM := .venv-wasm
 WORKERS := 2
 BIN := $(VENV)/bin
 READY := $(VENV)/ready
@@ -15,7 +17,7 @@ define ROOT_NOTE
 @echo "If no browser opens, open the address that JupyterLab prints."
 endef
 
-.PHONY: help course update reset clear quick test notebooks site pdf assignment slides load picture lint bench check-hard browser clean
+.PHONY: help course update reset clear quick test notebooks site pdf assignment slides load picture lite wasm lint bench check-hard browser clean
 
 help:                     ## this list
 	@grep -E '^[a-z-]+:.*## ' Makefile | sed -E 's/:.*## /\t/' | awk -F '\t' '{ printf "make %-12s %s\n", $$1, $$2 }'
@@ -58,6 +60,13 @@ site: $(MORE)             ## the course as a web page, in build/site, with its t
 pdf: $(MORE)              ## that page as one PDF, in build/course.pdf
 	$(BIN)/python -m dev.web.pdf
 
+lite: $(MORE) $(LITE)/ready ## the course as a site that runs in a browser, in build/lite, with its tests; PYODIDE=folder: for offline
+	$(LITE)/bin/python -m dev.lite.build $(if $(PYODIDE),--pyodide "$(PYODIDE)")
+	KFLEARN_LITE=build/lite $(BIN)/python -m pytest -q tests/dev/test_lite.py
+
+wasm: $(WASM)/ready       ## all lessons, or LESSONS="04 05", under WebAssembly without a browser: a quarter of an hour
+	$(WASM)/bin/python -m dev.lite.wasm $(LESSONS)
+
 assignment: $(MORE)       ## exercises of LESSONS="04 05" for nbgrader, in build/assignment; with ANSWERS=folder they are graded
 	$(BIN)/python -m dev.teaching.assignment $(or $(LESSONS),04) $(if $(ANSWERS),--grade "$(ANSWERS)")
 
@@ -94,9 +103,15 @@ $(MORE): requirements-more.txt $(READY)
 	@$(PYTHON) -m dev.prepare --folder $(VENV) requirements-more.txt
 	@touch $(MORE)
 
+# The tools of these two are for one command each: they do not come into the course's environment.
+$(LITE)/ready $(WASM)/ready: .venv-%/ready: requirements-%.txt requirements.txt $(READY)
+	$(BIN)/python -m venv .venv-$*
+	.venv-$*/bin/python -m pip install --quiet --requirement requirements-$*.txt
+	@touch $@
+
 clean:                    ## remove the environment and what was built; lessons, answers and points stay
 	@[ ! -d $(VENV) ] || echo "removing $(VENV): this may take a minute"
-	@rm -rf $(VENV) *.egg-info .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	@rm -rf $(VENV) $(LITE) $(WASM) *.egg-info .pytest_cache .ruff_cache .mypy_cache .hypothesis
 	@[ ! -d build ] || echo "removing what was built"
 	@[ ! -d build ] || find build -mindepth 1 -maxdepth 1 ! -name assignment ! -name class -exec rm -rf {} +
 	@[ ! -d build ] || rmdir build 2> /dev/null || echo "build/ keeps what belongs to a class: $$(ls build | tr '\n' ' ')"

@@ -8,6 +8,7 @@ It runs in an environment of its own (`make lite`). The site needs a web server,
 
 import argparse
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -22,8 +23,9 @@ KERNEL = "@jupyterlite/pyodide-kernel-extension:kernel"
 SPEC = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
 FIRST = "# In the browser, run this cell first: it fetches the course's package and what it needs, in about a minute.\n"
 PYODIDE = "static/pyodide"
-NO_PYODIDE = """{} has no pyodide.mjs. It should be the folder `pyodide` from a file pyodide-VERSION.tar.bz2 of
-Pyodide's releases, with VERSION = {}."""
+EXTENSION = "extensions/@jupyterlite/pyodide-kernel-extension/static/schema/kernel.v0.schema.json"
+NO_PYODIDE = "{} has no pyodide.mjs. It should be the folder `pyodide` from Pyodide's release pyodide-VERSION.tar.bz2."
+OTHER_PYODIDE = "{} is Pyodide {}. This JupyterLite was made for {}."
 
 
 def in_one_string(data):
@@ -67,12 +69,17 @@ def settings(folder):
     shutil.copy(ROOT / "labconfig" / "default_setting_overrides.json", folder / "overrides.json")
 
 
+def version(site):
+    """The version of Pyodide for which a site was made."""
+    schema = json.loads((site / EXTENSION).read_text(encoding="utf-8"))
+    return re.search(r"/v([^/]+)/full/", schema["properties"]["pyodideUrl"]["default"])[1]
+
+
 def beside(pyodide, site):
     """Put a copy of Pyodide into a site, which then asks no other server."""
-    if not (pyodide / "pyodide.mjs").exists():
-        from jupyterlite_pyodide_kernel.constants import PYODIDE_VERSION
-
-        sys.exit(NO_PYODIDE.format(pyodide, PYODIDE_VERSION))
+    found = json.loads((pyodide / "package.json").read_text(encoding="utf-8"))["version"]
+    if found != version(site):
+        sys.exit(OTHER_PYODIDE.format(pyodide, found, version(site)))
     shutil.copytree(pyodide, site / PYODIDE, dirs_exist_ok=True)
     file = site / "jupyter-lite.json"
     config = json.loads(file.read_text(encoding="utf-8"))
@@ -94,6 +101,8 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "lite")
     parser.add_argument("--pyodide", type=Path, help="the folder of a copy of Pyodide, with its compiled packages")
     options = parser.parse_args()
+    if options.pyodide and not all((options.pyodide / name).exists() for name in ("pyodide.mjs", "package.json")):
+        sys.exit(NO_PYODIDE.format(options.pyodide))
     with tempfile.TemporaryDirectory() as folder:
         draft = Path(folder).resolve()
         (draft / "files").mkdir()

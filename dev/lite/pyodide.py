@@ -14,7 +14,7 @@ from pathlib import Path
 from dev.lite import pure
 
 BOOT = ("micropip", "packaging", "ipython", "jedi")  # what JupyterLite's kernel itself asks of Pyodide
-NEEDED = ("narwhals", "traitlets", "typing-extensions")
+NEEDED = ("matplotlib", "narwhals", "pandas", "scipy", "traitlets", "typing-extensions")  # of which some are compiled
 
 
 def core(version, folder):

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.collections import Collection
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.text import Text
 
 from .drawn import Drawn
@@ -39,7 +40,7 @@ def moving(thing) -> list[Artist]:
 def assert_finite(thing) -> None:
     """Raise AssertionError where a text, an artist or a drawn object shows a number that is not finite.
 
-    Masked values are gaps and allowed.
+    Masked values are gaps and allowed. It looks at values, because Python in a browser gives no warning of a division by 0.
     """
     for words in _words(thing):
         assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), f"not a number in {words!r}"
@@ -61,4 +62,6 @@ def _numbers(thing):
         return thing.get_data(orig=True)
     if isinstance(thing, Collection):
         return [thing.get_offsets()]
+    if isinstance(thing, Patch):
+        return [thing.get_patch_transform().transform(thing.get_path().vertices)]  # in the units of its axes
     return []

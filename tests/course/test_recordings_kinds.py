@@ -44,3 +44,10 @@ def test_one_sentence_and_a_way_out(tmp_path, name, text, time, words, options, 
 
 def test_there_are_forty_kinds_and_thirty_by_the_lessons_own_line():
     assert len({*names(READ), *names(ASKED)}) >= 60 and len(READ) >= 30
+
+
+def test_a_counter_of_64_bits_runs_over(tmp_path):
+    """2**64 exceeds NumPy's whole numbers here, as 2**32 exceeds those of a Python in a browser."""
+    path = saved(tmp_path, f"t [ns],d\n{2**64 - 2 * 10**9},1\n{2**64 - 10**9},2\n0,3\n{10**9},4\n")
+    found = recordings.read(path, time="t", wraps=2**64)
+    assert_allclose(found.time, [0, 1, 2, 3], atol=4096e-9)  # the distance of two such numbers

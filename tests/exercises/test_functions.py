@@ -2,6 +2,7 @@
 
 import ast
 import re
+import signal
 import sys
 import warnings
 
@@ -190,6 +191,18 @@ def test_a_loop_that_never_ends_is_stopped(monkeypatch):
     assert outcome.status == "raised"
     assert "It was stopped after" in outcome.text and "does a loop never end?" in outcome.text
     assert sum(range(1000)) == 499_500  # nothing is raised later
+
+
+def test_without_threads_a_check_has_no_limit_and_works(monkeypatch):
+    """As in a browser, where Python has a single thread."""
+
+    def none(thread):
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr("threading.Thread.start", none)
+    before = signal.getsignal(signal.SIGINT)
+    assert correct.check(correct._solve).status == "right"
+    assert signal.getsignal(signal.SIGINT) == before
 
 
 # ---- mistakes that are the same in every exercise

@@ -4,6 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
+from matplotlib.patches import Ellipse
 
 from kflearn.ui import log_slider
 from tests.ui.samples import T, counted, make, update
@@ -57,6 +58,29 @@ def test_sweep_finds_what_is_wrong_at_one_end_only(what, error):
 
 def test_sweep_allows_gaps_and_words_like_information():
     assert at_the_end(lambda live: live.curve.set(T, np.ma.masked_greater(T, 50), T) and "no information").sweep() == 9
+
+
+def test_sweep_finds_values_where_numpy_does_not_warn():
+    """As in a browser: WebAssembly has no flags for what goes wrong in a calculation."""
+
+    def halved(live):
+        with np.errstate(all="ignore"):
+            live.curve.set(T, T, T / (T > 50))
+
+    with pytest.raises(AssertionError, match="not finite"):
+        at_the_end(halved).sweep()
+
+
+def test_sweep_looks_at_ellipses():
+    def plain(fig):
+        return fig.subplots().add_patch(Ellipse((1, 2), 3, 4))
+
+    def broken(live, Q):
+        live.set_width(np.nan if Q > 5 else 3)
+        return ""
+
+    with pytest.raises(AssertionError, match="not finite"):
+        make(broken, plain, Q=log_slider(0.1, 10, 1)).sweep()
 
 
 def test_sweep_looks_at_plain_artists():

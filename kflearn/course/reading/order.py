@@ -19,7 +19,8 @@ def ordered(table, clock, options):
     seconds, good = clock.seconds, ~np.isnan(clock.seconds)
     if options.wraps is not None and not clock.dated:
         steps = np.diff(seconds)
-        seconds = seconds + np.concatenate([[0], np.cumsum(steps < 0)]) * options.wraps * clock.tick
+        times = np.cumsum(steps < 0, dtype=float)  # not whole numbers: in a browser these have 32 bits
+        seconds = seconds + np.concatenate([[0], times]) * options.wraps * clock.tick
         clock.notes.append(f"the counter began again {int((steps < 0).sum())} times, after {options.wraps:.15g}")
         clock.seconds = seconds
     if clock.dated and len(seconds) > 2 and seconds[1] < seconds[0] and (np.diff(seconds) < 0).all():
