@@ -1,18 +1,22 @@
-"""Run one lesson inside a 32-bit Python in WebAssembly. It is started there by wasm.py, with a lesson's name.
+"""Run one lesson inside a 32-bit Python in WebAssembly. It is started there by wasm.py, with a lesson's name, or with
+"examples": then the examples in the package's docstrings run.
 
 All code cells run; every playground is tried at the ends and in the middle of its controls, with a picture each; every
-exercise gets its solution. The last line that it prints says in JSON how many of each, and what differs from the notebook.
+exercise gets its solution. The last line that it prints says in JSON how many of each, and which cells printed
+something else than in the notebook.
 """
 
 import ast
+import doctest
+import importlib
 import io
 import json
+import pkgutil
 import sys
 import time
 import types
 from contextlib import redirect_stdout
 from pathlib import Path
-
 
 EXERCISES = "kflearn.exercises."
 
@@ -66,7 +70,7 @@ def lesson(path):
 
 
 def solved(names):
-    """How many exercises of the lesson accept their own solutions, as they are shown; AssertionError if one does not."""
+    """Check the solutions of the lesson's exercises, as they are shown; returns how many."""
     from kflearn.exercises.engine import exercises_of
 
     found = [exercises_of(value) for value in names.values() if getattr(value, "__name__", "").startswith(EXERCISES)]
@@ -80,19 +84,35 @@ def solved(names):
     return len(found)
 
 
+def examples():
+    """Run the examples of all modules of the package."""
+    import kflearn
+
+    modules = [importlib.import_module(each.name) for each in pkgutil.walk_packages(kflearn.__path__, "kflearn.")]
+    results = [doctest.testmod(module) for module in modules]
+    failed = sum(result.failed for result in results)
+    assert not failed, f"{failed} examples failed"
+    return {"modules": len(modules), "examples": sum(result.attempted for result in results)}
+
+
+def try_lesson(name):
+    """Run a lesson's cells, sweep its playgrounds, check its solutions; returns how many there were."""
+    from kflearn.ui import Playground
+
+    names, other, cells = lesson(Path("/notebooks", name))
+    found = [value for value in names.values() if isinstance(value, Playground)]
+    settings = sum(playground.sweep() for playground in found)
+    return {"cells": cells, "pictures": settings, "playgrounds": len(found), "solutions": solved(names), "other": other}
+
+
 def main(name):
     stand_ins()
     shell()
     import matplotlib
 
     matplotlib.use("agg")
-    from kflearn.ui import Playground
-
     start = time.monotonic()
-    names, other, cells = lesson(Path("/notebooks", name))
-    found = [value for value in names.values() if isinstance(value, Playground)]
-    settings = sum(playground.sweep() for playground in found)
-    told = {"cells": cells, "other": other, "playgrounds": len(found), "settings": settings, "solutions": solved(names)}
+    told = examples() if name == "examples" else try_lesson(name)
     print(json.dumps(told | {"bits": 32 if sys.maxsize < 2**32 else 64, "seconds": round(time.monotonic() - start)}))
 
 

@@ -1,14 +1,23 @@
 """The packages without compiled code that lessons need: their wheels fit every Python, that in a browser too."""
 
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 SITE = ("anywidget", "comm", "filterpy", "gpxpy", "ipywidgets", "jupyterlab_widgets", "psygnal", "pymap3d", "pynmea2")
-ANY = ("--no-deps", "--only-binary=:all:", "--platform=any", "--implementation=py", "--abi=none", "--python-version=3.14")
+ANY = [
+    "--no-deps",
+    "--only-binary=:all:",
+    "--platform=any",
+    "--implementation=py",
+    "--abi=none",
+    "--python-version=3.14",
+]
 
 
 def pins():
@@ -38,5 +47,8 @@ def fetch(names, folder):
 
 
 def wheel(folder):
-    """The wheel of kflearn as it is in this folder, into another."""
-    pip("wheel", "--quiet", "--no-deps", "--wheel-dir", folder, ROOT)
+    """The wheel of kflearn as it is in this folder, into another; made from a copy, because setuptools leaves traces."""
+    with tempfile.TemporaryDirectory() as here:
+        copy = Path(here, "course")
+        shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".*", "build", "*.egg-info", "__pycache__"))
+        pip("wheel", "--quiet", "--no-deps", "--wheel-dir", folder, copy)

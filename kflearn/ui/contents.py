@@ -40,7 +40,7 @@ def moving(thing) -> list[Artist]:
 def assert_finite(thing) -> None:
     """Raise AssertionError where a text, an artist or a drawn object shows a number that is not finite.
 
-    Masked values are gaps and allowed. It looks at values, because Python in a browser gives no warning of a division by 0.
+    Masked values are gaps and allowed. Values are what counts: Python in a browser does not warn of a division by 0.
     """
     for words in _words(thing):
         assert not re.search(r"\b(nan|inf)\b", words, re.IGNORECASE), f"not a number in {words!r}"

@@ -153,6 +153,17 @@ def test_python_of_32_bits_runs_in_the_browser_without_threads(lesson):
 
 @of_the_site
 @pytest.mark.browser
+def test_python_and_the_lab_have_the_same_files(lesson):
+    """So that a learner's recording, which the lab takes from the disk, can be read, and points are kept."""
+    page, *_ = lesson
+    written = f"import os; print(os.path.exists({FUSION!r})); print('a,b', file=open('mine.csv', 'w'), flush=True)"
+    assert page.evaluate(ASK, written) == "True\n"
+    found = "async () => (await jupyterapp.serviceManager.contents.get('', {content: true})).content.map(e => e.name)"
+    assert "mine.csv" in page.evaluate(found)
+
+
+@of_the_site
+@pytest.mark.browser
 def test_the_first_cell_installs_all_but_the_compiled_packages(lesson, with_core):
     page, elsewhere, missing = lesson
     notebook = json.loads((with_core / "files" / FUSION).read_text(encoding="utf-8"))
