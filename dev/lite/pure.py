@@ -47,7 +47,7 @@ def fetch(names, folder):
 
 
 def wheel(folder):
-    """The wheel of kflearn as it is in this folder, into another; made from a copy, because setuptools leaves traces."""
+    """The wheel of kflearn as it is here, into a folder; made from a copy, because setuptools leaves traces."""
     with tempfile.TemporaryDirectory() as here:
         copy = Path(here, "course")
         shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(".*", "build", "*.egg-info", "__pycache__"))
