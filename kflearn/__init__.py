@@ -25,12 +25,13 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     mmae_filter                 several, of both     MultipleModelTrack  no
 
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Starts: start_from,
-diffuse_start. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother,
-two_filter_smoother, lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em;
-disturbances, which reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse,
-report_card; with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration,
-singer, cart; simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios,
-recordings (which raises RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
+diffuse_start; from_first_reading and to_first_reading, for libraries whose start is at the first reading. The ways
+through a function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother,
+lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em; disturbances, which
+reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
+with_error, a Measured mean over runs. Models: random_walk, constant_velocity, constant_acceleration, singer, cart;
+simulate, numerical_jacobian. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings
+(which raises RecordingError), examples (real recordings), bearings, homing, navigation, video, plots.
 """
 
 from importlib import import_module
@@ -42,6 +43,7 @@ from .filters.adaptive import AdaptiveTrack, adaptive_kalman_filter
 from .filters.consider import schmidt_kalman_filter
 from .filters.diffuse import diffuse_start
 from .filters.disturbances import disturbances
+from .filters.first_reading import from_first_reading, to_first_reading
 from .filters.forecast import forecast
 from .filters.kalman import (
     cubature_kalman_filter,
@@ -138,6 +140,7 @@ __all__ = [
     "extended_kalman_filter",
     "fit",
     "forecast",
+    "from_first_reading",
     "homing",
     "imm_filter",
     "kalman_filter",
@@ -164,6 +167,7 @@ __all__ = [
     "square_root_kalman_filter",
     "start_from",
     "steady_state",
+    "to_first_reading",
     "two_filter_smoother",
     "unscented",
     "unscented_kalman_filter",
