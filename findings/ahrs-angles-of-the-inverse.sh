@@ -3,10 +3,11 @@
 # inverse rotation. The estimator AQUA turns the other way than Madgwick, Mahony and EKF.
 #
 # Expected: roll 10, pitch 20, yaw 30 degrees (z-y-x) from both functions. A level sensor that turns at +10 degrees a
-# second for 2 s has the yaw +20, from every estimator. Seen: Quaternion.to_angles() gives 10, 20, 30; q2euler() gives
-# 1.1, -22.2, -28.5, which are the angles of the conjugate. Yaw of Madgwick, Mahony and EKF +19.9, of AQUA -19.9, all
-# in the same attribute Q. Who is hurt: whoever compares two estimators, or passes Q on to a filter of position: north
-# and south, left and right change places.
+# second for 2 s has the yaw +20, from every estimator.
+# Seen: Quaternion.to_angles() gives 10, 20, 30; q2euler() gives 1.1, -22.2, -28.5, which are the angles of the
+# conjugate. Yaw of Madgwick, Mahony and EKF +19.9, of AQUA -19.9, all in the same attribute Q.
+# Who is hurt: whoever compares two estimators, or passes Q on to a filter of position: north and south, left and
+# right change places.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -3,9 +3,10 @@
 # time is 18 s behind.
 #
 # Expected: GPS time has no leap seconds and has been 18 s ahead of UTC since 2017. Week 2408, second 43218 is
-# 2026-03-01 12:00:00 UTC, and noon UTC is second 43218. Seen: to_datetime() gives 12:00:18+00:00, and from_datetime()
-# of noon, with the time zone UTC, gives second 43200. Who is hurt: whoever joins a receiver's log (GPS week and
-# second) with a log in UTC: at 30 m/s the positions are 540 m away from where the other sensors say the vehicle was.
+# 2026-03-01 12:00:00 UTC, and noon UTC is second 43218.
+# Seen: to_datetime() gives 12:00:18+00:00, and from_datetime() of noon, with the time zone UTC, gives second 43200.
+# Who is hurt: whoever joins a receiver's log (GPS week and second) with a log in UTC: at 30 m/s the positions are 540
+# m away from where the other sensors say the vehicle was.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -3,11 +3,11 @@
 # that begins at the start of the last segment.
 #
 # Expected: the ten samples stand at 12:00:00.0 to 12:00:00.4 and at 12:01:00.0 to 12:01:00.4, with a pause of 59.6 s
-# between them; or the reader says that it cannot tell. Seen: time_track() gives 12:01:00.0 to 12:01:00.9 in steps of
-# 0.1 s. In the file a property that is written again replaces the first one, so the first five samples come 60 s
-# late, the last five 0.5 s late, and the pause is gone. Who is hurt: whoever fuses such a channel with another
-# sensor, or takes the step dt of a filter from time_track(): nothing in the series shows that the recording was
-# interrupted.
+# between them; or the reader says that it cannot tell.
+# Seen: time_track() gives 12:01:00.0 to 12:01:00.9 in steps of 0.1 s. In the file a property that is written again
+# replaces the first one, so the first five samples come 60 s late, the last five 0.5 s late, and the pause is gone.
+# Who is hurt: whoever fuses such a channel with another sensor, or takes the step dt of a filter from time_track():
+# nothing in the series shows that the recording was interrupted.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

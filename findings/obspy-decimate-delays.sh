@@ -2,10 +2,11 @@
 # obspy 1.5.1: Trace.decimate(4) delivers a signal that is ten samples late, under the old start time.
 #
 # Expected: a ramp stays the ramp it was, because the low-pass filter before the thinning has no delay, or the start
-# time is moved by its delay. tr.data[::4] has the right values here. Seen: after the first transient every value is
-# 10.6 samples of the ramp too small. At 10 Hz it is the value of 1.06 s earlier. The filter runs once, forwards, and
-# starttime stays. Who is hurt: whoever thins one channel and fuses it with another: the two are out of step by a
-# second, which a filter takes for a bias that grows with speed.
+# time is moved by its delay. tr.data[::4] has the right values here.
+# Seen: after the first transient every value is 10.6 samples of the ramp too small. At 10 Hz it is the value of 1.06
+# s earlier. The filter runs once, forwards, and starttime stays.
+# Who is hurt: whoever thins one channel and fuses it with another: the two are out of step by a second, which a
+# filter takes for a bias that grows with speed.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -2,9 +2,9 @@
 # obspy 1.5.1: Stream.merge() moves the second piece of a recording by up to half a sample, without a word.
 #
 # Expected: a piece that begins between two samples of the first keeps its times, or merge() refuses or interpolates.
-# Seen: at 10 Hz a piece that begins at 1.049 s is put at 1.0 s with its values as they are, 49 ms early. Who is hurt:
-# whoever measures speed or timing across a restart of the logger: at 100 m/s the positions are 4.9 m off, all in one
-# direction, in a series that is perfectly even.
+# Seen: at 10 Hz a piece that begins at 1.049 s is put at 1.0 s with its values as they are, 49 ms early.
+# Who is hurt: whoever measures speed or timing across a restart of the logger: at 100 m/s the positions are 4.9 m
+# off, all in one direction, in a series that is perfectly even.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -2,10 +2,11 @@
 # pandas 3.1.1: resample("1s").interpolate() puts uneven readings on an even grid by counting rows, not by the clock.
 #
 # Expected: a straight line z(t) = t, read at 0, 0.9, 2.1, 2.9, 4.2, 10.0 and 11.1 s, stays the line: 1 at 1 s, 2 at 2
-# s. Seen: 1.3 at 1 s, 1.7 at 2 s, 3.333 at 3 s, at most 0.45 off. Stamps and grid are joined into one list, and
-# values are interpolated by their position in it. interpolate("time") is exact. Who is hurt: whoever makes the even
-# steps that a filter with one F asks for: errors of half a step times the speed, which change with the pattern of the
-# stamps.
+# s.
+# Seen: 1.3 at 1 s, 1.7 at 2 s, 3.333 at 3 s, at most 0.45 off. Stamps and grid are joined into one list, and values
+# are interpolated by their position in it. interpolate("time") is exact.
+# Who is hurt: whoever makes the even steps that a filter with one F asks for: errors of half a step times the speed,
+# which change with the pattern of the stamps.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -4,10 +4,11 @@
 #
 # Expected: rates of turn in one unit, and None, NaN or another type where there is none. In the message 708 degrees a
 # minute is the fastest rate; the codes 127 and -127 mean "faster than 5 degrees in 30 s, no turn indicator", -128
-# means "not available". Seen: 300 comes back as 300, 708 as 709 (the message's own steps), 720 as 127, "not
-# available" as -128. All of them take part in arithmetic. Who is hurt: whoever filters a ship's heading with these
-# rates: the fastest turns look slower than a turn of 300, and a ship without a sensor seems to turn to port by 128
-# degrees a minute.
+# means "not available".
+# Seen: 300 comes back as 300, 708 as 709 (the message's own steps), 720 as 127, "not available" as -128. All of them
+# take part in arithmetic.
+# Who is hurt: whoever filters a ship's heading with these rates: the fastest turns look slower than a turn of 300,
+# and a ship without a sensor seems to turn to port by 128 degrees a minute.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -2,11 +2,11 @@
 # pymavlink 2.4.50: a GPS message of an older autopilot (MAVLink 1), read with the dialect of MAVLink 2, says that its
 # accuracy is 0 mm.
 #
-# Expected: fields that were not sent are None, or carry a code for "unknown", as cog and epv do (65535). Seen: h_acc
-# and v_acc, which exist in MAVLink 2 only, are 0, beside a valid fix (fix_type 3). Nothing in the message tells a
-# zero that was sent from a field that was not. Who is hurt: whoever makes R from h_acc: sigma is 0, so the filter
-# takes each position for exact, or stops because R is singular. eph = 120 beside it is no accuracy either: it is the
-# dilution of precision times 100.
+# Expected: fields that were not sent are None, or carry a code for "unknown", as cog and epv do (65535).
+# Seen: h_acc and v_acc, which exist in MAVLink 2 only, are 0, beside a valid fix (fix_type 3). Nothing in the message
+# tells a zero that was sent from a field that was not.
+# Who is hurt: whoever makes R from h_acc: sigma is 0, so the filter takes each position for exact, or stops because R
+# is singular. eph = 120 beside it is no accuracy either: it is the dilution of precision times 100.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

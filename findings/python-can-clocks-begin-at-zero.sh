@@ -3,9 +3,11 @@
 # clock that begins at 0.
 #
 # Expected: what is written with the stamps 10.00, 10.01 and 12.50 s is read with these stamps, as it is from .csv,
-# .log, .trc and .db. Seen: .asc comes back as 0.00, 0.01, 2.50, whatever the clock was. .blf does so with a clock
-# since boot, and keeps seconds since 1970. Who is hurt: whoever logs two buses, or a bus and another sensor, by one
-# clock: after reading, each log begins at 0, and the two are out of step by the difference of their first frames.
+# .log, .trc and .db.
+# Seen: .asc comes back as 0.00, 0.01, 2.50, whatever the clock was. .blf does so with a clock since boot, and keeps
+# seconds since 1970.
+# Who is hurt: whoever logs two buses, or a bus and another sensor, by one clock: after reading, each log begins at 0,
+# and the two are out of step by the difference of their first frames.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

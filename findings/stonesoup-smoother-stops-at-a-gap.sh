@@ -2,10 +2,11 @@
 # stonesoup 1.9.1: KalmanSmoother does not smooth across a step without a detection.
 #
 # Expected: in a track with a coasted step, which holds a prediction in place of an update, readings after the gap
-# improve the estimates before it, as in any fixed-interval smoother. Seen: the state at the gap and the one before it
-# keep the values of the filter: the smoothing restarts before the gap. Who is hurt: whoever smooths the tracks of a
-# tracker with missed detections, which is every tracker: the estimates before each miss are worse than they could be,
-# and their covariances say so, so that nothing looks wrong.
+# improve the estimates before it, as in any fixed-interval smoother.
+# Seen: the state at the gap and the one before it keep the values of the filter: the smoothing restarts before the
+# gap.
+# Who is hurt: whoever smooths the tracks of a tracker with missed detections, which is every tracker: the estimates
+# before each miss are worse than they could be, and their covariances say so, so that nothing looks wrong.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu
