@@ -52,13 +52,13 @@ def parts(path):
     """The title and the remarks of a library's file, and its code for the page."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     title, _, remarks = ast.get_docstring(tree).partition("\n")
-    imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
+    _, *top = tree.body[: [isinstance(node, ast.Assign) for node in tree.body].index(True)]  # without the docstring
     (same,) = (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "same")
-    return title, " ".join(remarks.split()), [*imported(imports), *lines(path, same)]
+    return title, " ".join(remarks.split()), [*imported(top), "", *lines(path, same)]
 
 
 def imported(nodes):
-    """The import lines, without NumPy's own."""
+    """The lines before the functions, without NumPy's import."""
     return [text for node in nodes if (text := ast.unparse(node)) != "import numpy as np"]
 
 

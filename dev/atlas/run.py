@@ -54,7 +54,8 @@ def missing(plain, name, when):
     words = {USED: "skipped" if name == "moving" else "the other part is used", ZERO: "read as 0",
              DROPPED: "the whole reading is dropped"}  # fmt: skip
     exact = answers(problem)
-    return next((word for part, word in words.items() if (when, part) in exact and near(found, exact[when, part])), "wrong")
+    alike = (word for part, word in words.items() if (when, part) in exact and near(found, exact[when, part]))
+    return next(alike, "wrong")
 
 
 def likelihood(plain, when):
@@ -65,13 +66,15 @@ def likelihood(plain, when):
     known = {"with log 2π": right, "without log 2π": bare, "twice, without log 2π": 2 * bare, "negative": -right}
     if found is None:
         return "none"
-    return next((word for word, value in known.items() if abs(found - value) < NEAR), f"{found:.3f} for {right:.3f}")
+    return next((word for word, value in known.items() if abs(found - value) < NEAR), f"wrong: {found:.3f} for {right:.3f}".replace("-", "−"))
 
 
 def negative(plain):
     """What it says to a variance R = −1."""
     found = attempt(plain, arrays("level", R=[[-1.0]]))
-    return f"refused ({found})" if isinstance(found, str) else "no error"
+    if isinstance(found, str):
+        return f"refused ({found})"
+    return "NaN" if np.isnan(found[0]).any() else "no error"
 
 
 def same(function):
@@ -88,11 +91,14 @@ def same(function):
     return worst
 
 
-def main(path):
-    warnings.simplefilter("ignore")
-    library = runpy.run_path(path)
-    plain, when = library["plain"], start(library["plain"])
-    found = {
+def found_in(path):
+    """What one library does, a dictionary of words, its version, and the largest error of the lines on the page."""
+    library = runpy.run_path(str(path))
+    plain = library["plain"]
+    if isinstance(first := attempt(plain, arrays("level")), str):
+        sys.exit(f"plain raises {first} where nothing is missing")
+    when = start(plain)
+    return {
         "version": version(library["PINS"].split("==")[0]),
         "start": when,
         "gap": missing(plain, "moving", when),
@@ -101,8 +107,8 @@ def main(path):
         "negative": negative(plain),
         "same": same(library["same"]),
     }
-    print(json.dumps(found))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    warnings.simplefilter("ignore")
+    print(json.dumps(found_in(sys.argv[1])))

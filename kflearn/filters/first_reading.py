@@ -83,8 +83,8 @@ def from_first_reading(model, steps) -> LinearModel:
     >>> from kflearn import Gaussian, from_first_reading, kalman_filter, random_walk
     >>> model = from_first_reading(random_walk(Q=4, R=1), steps=3)
     >>> track = kalman_filter(model, [11.0, 12.0, 11.5], Gaussian(10, 9))
-    >>> print(f"before the first reading {track.predicted[0]:.0f}, after it {track[0]:.1f}")
-    before the first reading N(10, 9), after it N(10.9, 0.9)
+    >>> print(f"variance before the first reading {track.predicted.cov[0, 0, 0]:.1f}, after it {track.cov[0, 0, 0]:.1f}")
+    variance before the first reading 9.0, after it 0.9
     """
     if not isinstance(model, LinearModel):
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")

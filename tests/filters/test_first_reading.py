@@ -95,7 +95,8 @@ def test_the_first_matrices_of_a_stack_and_the_first_input_are_not_used(stacked)
     first = kalman_filter(LinearModel(np.eye(3), model.H, np.zeros((3, 3)), model.R), z[:, :1], belief)
     for run in range(4):
         by_hand = rest.replace(F=rest.F[run]) if stacked else rest
-        after = kalman_filter(by_hand, z[run, 1:], first[run, 0], u[1:])
+        start = Gaussian(first.mean[run, 0], first.cov.reshape(-1, 3, 3)[0])
+        after = kalman_filter(by_hand, z[run, 1:], start, u[1:])
         np.testing.assert_allclose(ours.mean[run, 1:], after.mean, atol=1e-10)
         np.testing.assert_allclose(ours.cov[run, 1:] if ours.cov.ndim > 3 else ours.cov[1:], after.cov, atol=1e-10)
 

@@ -1,7 +1,7 @@
 """bayesian-filters
 
-The successor of FilterPy 1.4, with its classes under other names. A gap is None in update(), one step at a time;
-batch_filter() refuses None where there is one measured number.
+The classes are those of FilterPy, in a package of another name. A gap is None in update(), one step at a time;
+batch_filter() refuses None where one component is measured.
 """
 
 import numpy as np
