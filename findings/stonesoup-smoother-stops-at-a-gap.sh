@@ -3,8 +3,9 @@
 #
 # Expected: in a track with a coasted step, which holds a prediction in place of an update, readings after the gap
 # improve the estimates before it, as in any fixed-interval smoother.
-# Seen: the state at the gap and the one before it keep the values of the filter: the smoothing restarts before the
-# gap.
+# Seen: the state before the gap keeps the value of the filter, 1.588 where 2.515 is right, and the states before it
+# are smoothed only as far as the gap (1.176 where 1.598 is right). The step of the gap itself and all after it are
+# right.
 # Who is hurt: whoever smooths the tracks of a tracker with missed detections, which is every tracker: the estimates
 # before each miss are worse than they could be, and their covariances say so, so that nothing looks wrong.
 #
@@ -47,6 +48,6 @@ cov, there = P + Q * np.minimum(k[:, None], k), np.array([0, 1, 3, 4])
 given = np.array([z[j] for j in there])
 right = cov[:, there] @ np.linalg.solve(cov[np.ix_(there, there)] + R * np.eye(4), given)
 print("filter", filtered.round(4), "smoother", smooth.round(4), "right", right.round(4))
-assert np.allclose(smooth[3:], right[3:]), "this has changed"
-assert np.abs(smooth - right)[:3].max() > 0.2, "this has changed"
+assert np.allclose(smooth[2:], right[2:]) and smooth[1] == filtered[1], "this has changed"
+assert np.allclose(smooth[:2], [1.1765, 1.5882], atol=1e-4), "this has changed"
 PYTHON
