@@ -59,12 +59,16 @@ def attempt(file, folder):
     """Install a file with what a lesson's kernel needs, and use the command where it needs no JupyterLab."""
     new = new_environment(folder / file.suffix.strip("."))
     say(new / "pip", "install", "--quiet", f"kflearn[lessons] @ {file.as_uri()}", cwd=folder)
-    print(f"{file.name}: {file.stat().st_size / 1e6:.1f} MB; {say(new / 'python', '-c', TRY, ROOT, cwd=folder).strip()}")
-    opened = subprocess.run([new / "kflearn", "open", "mine"], cwd=folder, capture_output=True, text=True)
-    assert "pip install" in opened.stderr, opened.stderr
-    (lesson,) = (folder / "mine").glob("05-*.ipynb")
+    print(
+        f"{file.name}: {file.stat().st_size / 1e6:.1f} MB; {say(new / 'python', '-c', TRY, ROOT, cwd=folder).strip()}"
+    )
+    mine = folder / f"mine-{file.suffix}"
+    opened = subprocess.run([new / "kflearn", "open", mine], cwd=folder, capture_output=True, text=True)
+    if "pip install" not in opened.stderr:
+        sys.exit(f"kflearn open does not say that JupyterLab is missing: {opened.stderr}")
+    (lesson,) = mine.glob("05-*.ipynb")
     lesson.write_text("{}", encoding="utf-8")
-    print(say(new / "kflearn", "reset", "05", "mine", cwd=folder).strip())
+    print(say(new / "kflearn", "reset", "05", mine, cwd=folder).strip())
 
 
 def main():

@@ -1,7 +1,7 @@
 """Run the filters of other libraries on three tiny problems and write the page about them: `make atlas`.
 
-    python -m dev.atlas               all, in new environments: some fifteen minutes, and a package index
-    python -m dev.atlas pykalman      one of them; prints what it found and writes nothing
+python -m dev.atlas               all, in new environments: some fifteen minutes, and a package index
+python -m dev.atlas pykalman      one of them; prints what it found and writes nothing
 """
 
 import json
@@ -32,7 +32,9 @@ def ask(path):
         install = [uv, "pip", "install", "--python", python] if uv else [python, "-m", "pip", "install"]
         subprocess.run([*install, "--quiet", *pinned(path).split()], check=True)
         env = os.environ | {"PYTHONPATH": str(ROOT), "PYTHONDONTWRITEBYTECODE": "1"}
-        done = subprocess.run([python, "-m", "dev.atlas.run", path], env=env, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [python, "-m", "dev.atlas.run", path], env=env, capture_output=True, text=True, check=False
+        )
     if done.returncode:
         sys.exit(f"{path.stem}: {done.stderr}")
     return json.loads(done.stdout.splitlines()[-1])

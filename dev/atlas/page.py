@@ -50,25 +50,27 @@ The lines below take the matrices F, H, Q, R, the belief x, P of `kflearn`'s kin
 
 def parts(path):
     """The title and the remarks of a library's file, and its code for the page."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    text = path.read_text(encoding="utf-8")
+    tree = ast.parse(text)
     title, _, remarks = ast.get_docstring(tree).partition("\n")
-    _, *top = tree.body[: [isinstance(node, ast.Assign) for node in tree.body].index(True)]  # without the docstring
     (same,) = (node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "same")
-    return title, " ".join(remarks.split()), [*imported(top), "", *lines(path, same)]
+    return title, " ".join(remarks.split()), [*imported(text, tree), "", *lines(text, same)]
 
 
-def imported(nodes):
-    """The lines before the functions, without NumPy's import."""
-    return [text for node in nodes if (text := ast.unparse(node)) != "import numpy as np"]
+def imported(text, tree):
+    """The lines between the docstring and PINS, without NumPy's import."""
+    pins = next(node for node in tree.body if isinstance(node, ast.Assign))
+    top = text.splitlines()[tree.body[0].end_lineno : pins.lineno - 1]
+    return "\n".join(line for line in top if line != "import numpy as np").strip().splitlines()
 
 
-def lines(path, function):
+def lines(text, function):
     """The lines of a function's body; what it returns gets names."""
     *body, last = function.body
-    text = path.read_text(encoding="utf-8").splitlines()[body[0].lineno - 1 : last.lineno - 1]
-    made = [(name, ast.unparse(part)) for name, part in zip(RETURNED, last.value.elts, strict=False)]
+    before = text.splitlines()[body[0].lineno - 1 : last.lineno - 1]
+    made = [(name, ast.get_source_segment(text, part)) for name, part in zip(RETURNED, last.value.elts, strict=False)]
     named = [f"{name} = {part}" for name, part in made if name != part]
-    return [*textwrap.dedent("\n".join(text)).splitlines(), *named]
+    return [*textwrap.dedent("\n".join(before)).splitlines(), *named]
 
 
 def pinned(path):

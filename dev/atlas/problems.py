@@ -90,5 +90,7 @@ def exact(F, H, Q, R, x, P, z, start=BEFORE, part=USED):
 def answers(problem):
     """{(start, part): exact answer} for all readings of the two conventions."""
     gaps = np.isnan(problem["z"])
-    parts = (USED, DROPPED, ZERO) if gaps.any() and problem["z"].shape[1] > 1 else (USED, ZERO) if gaps.any() else (USED,)
+    parts = (
+        (USED, DROPPED, ZERO) if gaps.any() and problem["z"].shape[1] > 1 else (USED, ZERO) if gaps.any() else (USED,)
+    )
     return {(start, part): exact(**problem, start=start, part=part) for start, part in product((BEFORE, FIRST), parts)}

@@ -1,6 +1,6 @@
 """One library on the three problems; runs in the library's own environment, and prints what it found as JSON.
 
-    python -m dev.atlas.run FILE
+python -m dev.atlas.run FILE
 """
 
 import json
@@ -66,7 +66,10 @@ def likelihood(plain, when):
     known = {"with log 2π": right, "without log 2π": bare, "twice, without log 2π": 2 * bare, "negative": -right}
     if found is None:
         return "none"
-    return next((word for word, value in known.items() if abs(found - value) < NEAR), f"wrong: {found:.3f} for {right:.3f}".replace("-", "−"))
+    return next(
+        (word for word, value in known.items() if abs(found - value) < NEAR),
+        f"wrong: {found:.3f} for {right:.3f}".replace("-", "−"),
+    )
 
 
 def negative(plain):

@@ -21,8 +21,8 @@ def to_first_reading(model, initial, u=None) -> Gaussian:
     model : LinearModel or NonlinearModel
         With n states.
     initial : Gaussian
-        The belief one step before the first reading, as every filter of kflearn takes it; mean (..., n), in the units of
-        the states.
+        The belief one step before the first reading, as every filter of kflearn takes it; mean (..., n), in the
+        units of the states.
     u : array_like, optional
         The control input (p,) of the first step, u[0] of a series.
 
@@ -83,8 +83,8 @@ def from_first_reading(model, steps) -> LinearModel:
     >>> from kflearn import Gaussian, from_first_reading, kalman_filter, random_walk
     >>> model = from_first_reading(random_walk(Q=4, R=1), steps=3)
     >>> track = kalman_filter(model, [11.0, 12.0, 11.5], Gaussian(10, 9))
-    >>> print(f"variance before the first reading {track.predicted.cov[0, 0, 0]:.1f}, after it {track.cov[0, 0, 0]:.1f}")
-    variance before the first reading 9.0, after it 0.9
+    >>> print(f"variance {track.predicted.cov[0, 0, 0]:.1f}, after the first reading {track.cov[0, 0, 0]:.1f}")
+    variance 9.0, after the first reading 0.9
     """
     if not isinstance(model, LinearModel):
         raise TypeError(f"model must be a LinearModel, got {type(model).__name__}")

@@ -148,4 +148,4 @@ def test_in_a_clone_the_lessons_are_the_clones_own():
 
 def test_the_first_lesson_is_that_of_the_makefile():
     (first,) = re.findall(r"^FIRST := (\S+)$", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
-    assert shipped.FIRST == first
+    assert first == shipped.FIRST

@@ -1,8 +1,8 @@
 """cuthbert
 
-Ask JAX for double precision first. Covariances are handed over as Cholesky factors, so no negative one can be given; the
-sign of a factor does not matter. The first of the T + 1 estimates is the start itself. The log-likelihood is a running
-sum.
+Ask JAX for double precision first. Covariances are handed over as Cholesky factors, so no negative one can be given;
+the sign of a factor does not matter. The first of the T + 1 estimates is the start itself. The log-likelihood is a
+running sum.
 """
 
 import jax

@@ -1,7 +1,7 @@
 """pykalman
 
-`filter` starts at the first reading, `filter_update` one step before. A gap must be masked: with a plain NaN the means
-become NaN and the log-likelihood stays a number, a wrong one.
+`filter` starts at the first reading, `filter_update` one step before. A gap must be masked: with a plain NaN the
+means become NaN and the log-likelihood stays a number, a wrong one.
 """
 
 import numpy as np

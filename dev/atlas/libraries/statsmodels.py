@@ -1,7 +1,7 @@
 """statsmodels
 
-Time is the last axis. Their names: `design` is our H, `obs_cov` our R, `selection` is I where every state has its noise.
-`loglikelihood_burn` leaves the first steps out of the sum.
+Time is the last axis. Their names: `design` is our H, `obs_cov` our R, `selection` is I where every state has its
+noise. `loglikelihood_burn` leaves the first steps out of the sum.
 """
 
 import numpy as np

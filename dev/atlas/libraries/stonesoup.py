@@ -1,7 +1,7 @@
 """Stone Soup
 
-States and readings are columns with a time. A gap is a prediction without an update. `LinearGaussian` measures components
-of the state, here the first ones; its H cannot be given as a matrix. It has no likelihood of a series.
+States and readings are columns with a time. A gap is a prediction without an update. `LinearGaussian` measures
+components of the state, here the first ones; its H cannot be given as a matrix. It has no likelihood of a series.
 """
 
 from datetime import datetime, timedelta
