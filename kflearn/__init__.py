@@ -26,15 +26,15 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
 
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Time: discretise, for steps of
 any length; Readings, merge_events, several sensors; TimedFilter, late readings. Starts: start_from, diffuse_start;
-from_first_reading and to_first_reading, for libraries whose start is at the first reading. The ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother,
-lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em; disturbances, which
-reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
-running_nis, cusum, while it runs; cramer_rao_bound, could any do better? with_error, a Measured mean over runs.
-Models: random_walk, constant_velocity, white_acceleration, constant_acceleration, singer, cart; simulate,
-numerical_jacobian. Whose reading is it? scan_targets, pair_up, pda_weights, assign; pda_filter, nearest_filter and
-gnn_filter, which return a ScanTrack; tracker, gospa. Angles: wrap, angle_difference, circular_mean. Of the course:
-scenarios, recordings (which raises RecordingError), examples (real recordings), bearings, boats, homing, navigation,
-video, plots.
+from_first_reading and to_first_reading, for libraries whose start is at the first reading. The ways through a
+function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother, lag_one_covariances; what comes
+next: forecast, steady_state. Parameters from data: fit, em; disturbances, which reading was odd. Is the filter honest?
+nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card; running_nis, cusum, while it runs;
+cramer_rao_bound, could any do better? with_error, a Measured mean over runs. Models: random_walk, constant_velocity,
+white_acceleration, constant_acceleration, singer, cart; simulate, numerical_jacobian. Whose reading is it?
+scan_targets, pair_up, pda_weights, assign; pda_filter, nearest_filter and gnn_filter, which return a ScanTrack;
+tracker, gospa. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which raises
+RecordingError), examples (real recordings), bearings, boats, homing, navigation, video, plots.
 """
 
 from importlib import import_module

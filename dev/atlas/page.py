@@ -10,7 +10,7 @@ HEAD = """# Appendix · Other libraries
 
 You know a filter in `kflearn` and have to use another library, or the other way round. Libraries differ where nobody looks: in when the start holds, in what becomes of a missing reading, and in what they call a log-likelihood. This page says so for {count} of them. Every cell of the table, and every line of code, was run on {date}.
 
-[Start here](00-start-here.ipynb) · [Notation](appendix-notation.md) · [Glossary](appendix-glossary.md) · [Errata museum](appendix-errata-museum.md) · [Cheat sheet](appendix-cheat-sheet.md) · [Real recordings](appendix-recordings.md)
+[Start here](00-start-here.ipynb) · [Notation](appendix-notation.md) · [Glossary](appendix-glossary.md) · [Errata museum](appendix-errata-museum.md) · [Cheat sheet](appendix-cheat-sheet.md) · [Real recordings](appendix-recordings.md) · [What loggers write](appendix-loggers.md)
 
 ## What was asked
 
