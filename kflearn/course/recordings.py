@@ -110,7 +110,7 @@ def read(path, time=None, columns=None, time_unit=None, encoding="utf-8-sig", **
         raise RecordingError((None, f"{short(getattr(path, 'name', path))} cannot be read: {reason}")) from None
     tracks.refuse_binary(raw, short(Path(path).name))
     ending = Path(path).suffix.lower()
-    if encoding in ("utf-8", "utf-8-sig"):
+    if isinstance(encoding, str) and encoding in ("utf-8", "utf-8-sig"):
         return _parsed(lambda: _decoded(raw, encoding), raw, told, ending, Path(path))
     text = _decoded(raw, encoding)
     return _parsed(lambda: text, text.encode(), told, ending)
