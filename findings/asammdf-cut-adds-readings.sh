@@ -5,8 +5,8 @@
 # Seen: four. One is added at 0.25 s and one at 2.05 s; for a channel of floats they lie on a straight line between
 # their neighbours (2.5 and 20.5), for a channel of whole numbers they repeat the reading before (20 and 200).
 # include_ends=False leaves the two real ones.
-# Who is hurt: whoever cuts a log into pieces for a filter: each piece begins and ends with a reading whose error is
-# that of its neighbour, so the filter counts one reading twice and claims too much.
+# Who is hurt: whoever cuts a log into pieces for a filter: each piece begins and ends with a reading made of its
+# neighbours, so the filter counts their errors twice and claims too much.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu

@@ -4,10 +4,11 @@
 #
 # Expected: one height, recorded three times (metres as floats, centimetres as whole numbers, whole numbers that are
 # scaled to decimetres), gives the same numbers, and no reading or a mark between 0.3 s and 2.0 s, where nothing was
-# measured. Seen, in metres, at 0.5, 1.0 and 1.5 s: floats are joined by a straight line (5, 10, 15), whole numbers
-# are held (3, 3, 3), and the scaled ones are joined in to_dataframe(raster=0.5) and held in resample(0.5).
+# measured.
+# Seen: in metres, at 0.5, 1.0 and 1.5 s: floats are joined by a straight line (5, 10, 15), whole numbers are held (3,
+# 3, 3), and the scaled ones are joined in to_dataframe(raster=0.5) and held in resample(0.5).
 # Who is hurt: whoever gives the raster to a filter: invented readings with no noise between them, and for a signal of
-# 10 m/s an error of up to 17 m that depends on how the logger stored the number.
+# 10 m/s an error of up to 12 m on this raster, which depends on how the logger stored the number.
 #
 # Exit status 0: as described. Anything else: it has changed.
 set -eu
