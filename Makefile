@@ -81,7 +81,7 @@ bench: $(MORE)            ## measure speed, memory and the whole test run: a qua
 check-hard: $(MORE)       ## try to break everything: forty minutes, one table (PARTS="values inputs" for some of it)
 	$(BIN)/python -m dev.hard $(PARTS)
 
-findings:                 ## do the surprises in other software still hold? one line each (installs packages: a quarter of an hour)
+findings:                 ## do the surprises in other software still hold? one line each (installs packages: twenty minutes)
 	@changed=0; for file in findings/*.sh; do \
 	  if said=$$(sh $$file 2>&1); then echo "as described  $$file"; \
 	  else echo "CHANGED       $$file"; echo "$$said" | tail -n 3; changed=1; fi; \
