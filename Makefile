@@ -17,7 +17,7 @@ define ROOT_NOTE
 @echo "If no browser opens, open the address that JupyterLab prints."
 endef
 
-.PHONY: help course update reset clear quick test notebooks site pdf assignment slides load picture lite wasm lint bench check-hard browser clean
+.PHONY: help course update reset clear quick test notebooks site pdf assignment slides load picture lite wasm lint bench check-hard findings atlas wheel browser clean
 
 help:                     ## this list
 	@grep -E '^[a-z-]+:.*## ' Makefile | sed -E 's/:.*## /\t/' | awk -F '\t' '{ printf "make %-12s %s\n", $$1, $$2 }'
@@ -89,6 +89,18 @@ bench: $(MORE)            ## measure speed, memory and the whole test run: a qua
 
 check-hard: $(MORE)       ## try to break everything: forty minutes, one table (PARTS="values inputs" for some of it)
 	$(BIN)/python -m dev.hard $(PARTS)
+
+findings:                 ## do the surprises in other software still hold? one line each (installs packages: twenty minutes)
+	@changed=0; for file in findings/*.sh; do \
+	  if said=$$(sh $$file 2>&1); then echo "as described  $$file"; \
+	  else echo "CHANGED       $$file"; echo "$$said" | tail -n 3; changed=1; fi; \
+	done; exit $$changed
+
+atlas: $(READY)           ## other libraries' filters on three tiny problems: writes notebooks/appendix-libraries.md
+	$(BIN)/python -m dev.atlas $(ONLY)
+
+wheel: $(READY)           ## the package as it would be published, in build/dist, tried in new environments
+	$(BIN)/python -m dev.wheel
 
 # On a CI machine without a browser: install Debian's, so that the browser tests run there too.
 browser:

@@ -1,19 +1,12 @@
 """A lesson as it was when it came; what the learner had made of it is kept beside it: `make reset LESSON=05`."""
 
-import itertools
 import sys
 
 from dev.lessons import lessons, original
-from dev.update import OPEN
+from kflearn.lessons.copies import put_back
 
 NO_CLONE = """This folder was not made by `git clone`, so the original lesson is not in it.
 Fetch the course again: its lessons are as they came."""
-
-
-def aside(path):
-    """A free name for the learner's version."""
-    names = itertools.chain([f"mine-{path.stem}"], (f"mine-{path.stem}-{i}" for i in itertools.count(2)))
-    return next(free for name in names if not (free := path.with_name(f"{name}.ipynb")).exists())
 
 
 def main(number):
@@ -21,13 +14,7 @@ def main(number):
     if path is None:
         sys.exit(f"There is no lesson {number}.")
     new = original(path) or sys.exit(NO_CLONE)
-    if path.read_bytes() == new:
-        print(f"{path.name} is as it came: nothing to reset.")
-        return
-    kept = aside(path)
-    path.rename(kept)
-    path.write_bytes(new)
-    print(f"{path.name} is as it came. Yours is {kept.name}, beside it. {OPEN}")
+    print(put_back(path, new))
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from kflearn.lessons.copies import OPEN, merge
+
 ROOT = Path(__file__).parent.parent
 NAME = ["-c", "user.name=learner", "-c", "user.email=learner@localhost"]
 NO_CLONE = """This folder was not made by `git clone`, so there is nothing to update it from.
@@ -25,27 +27,7 @@ def git(*command, check=True):
     return done.stdout.strip()
 
 
-OPEN = "If a lesson is open and JupyterLab says File Changed, choose Revert."
-
-
 # ---- one lesson
-
-
-def merge(base, mine, new):
-    """The new notebook with the learner's cells in it. All three are nbformat nodes; `new` is changed and returned."""
-    known = {cell.id: cell.source for cell in base.cells}
-    sources, place = set(known.values()), 0
-    for cell in mine.cells:
-        at = next((i for i, other in enumerate(new.cells) if other.id == cell.id), None)
-        if cell.source == known.get(cell.id) or (cell.id not in known and cell.source in sources):
-            pass  # not the learner's work
-        elif at is not None:
-            new.cells[at] = cell
-        elif cell.source.strip():
-            at = place
-            new.cells.insert(at, cell)
-        place = place if at is None else at + 1
-    return new
 
 
 def merge_files(base, mine, new, path):

@@ -25,16 +25,16 @@ The filters, called as filter(model, z, initial, u); FILTERS holds the same tabl
     mmae_filter                 several, of both     MultipleModelTrack  no
 
 Step by step: predict, correct, kalman_step; OnlineFilter, for readings as they come. Time: discretise, for steps of
-any length; Readings, merge_events, several sensors; TimedFilter, late readings. Starts: start_from, diffuse_start. The
-ways through a function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother,
-lag_one_covariances; what comes next: forecast, steady_state. Parameters from data: fit, em; disturbances, which
-reading was odd. Is the filter honest? nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card;
-running_nis, cusum, while it runs; cramer_rao_bound, could any do better? with_error, a Measured mean over runs.
-Models: random_walk, constant_velocity, white_acceleration, constant_acceleration, singer, cart; simulate,
-numerical_jacobian. Whose reading is it? scan_targets, pair_up, pda_weights, assign; pda_filter, nearest_filter and
-gnn_filter, which return a ScanTrack; tracker, gospa. Angles: wrap, angle_difference, circular_mean. Of the course:
-scenarios, recordings (which raises RecordingError), examples (real recordings), bearings, boats, homing, navigation,
-video, plots.
+any length; Readings, merge_events, several sensors; TimedFilter, late readings. Starts: start_from, diffuse_start;
+from_first_reading and to_first_reading, for libraries whose start is at the first reading. The ways through a
+function: linearize, unscented, cubature. Smoothers: rts_smoother, two_filter_smoother, lag_one_covariances; what comes
+next: forecast, steady_state. Parameters from data: fit, em; disturbances, which reading was odd. Is the filter honest?
+nees, nis, coverage, whiteness, chi_square_interval, rmse, report_card; running_nis, cusum, while it runs;
+cramer_rao_bound, could any do better? with_error, a Measured mean over runs. Models: random_walk, constant_velocity,
+white_acceleration, constant_acceleration, singer, cart; simulate, numerical_jacobian. Whose reading is it?
+scan_targets, pair_up, pda_weights, assign; pda_filter, nearest_filter and gnn_filter, which return a ScanTrack;
+tracker, gospa. Angles: wrap, angle_difference, circular_mean. Of the course: scenarios, recordings (which raises
+RecordingError), examples (real recordings), bearings, boats, homing, navigation, video, plots.
 """
 
 from importlib import import_module
@@ -48,6 +48,7 @@ from .filters.consider import schmidt_kalman_filter
 from .filters.diffuse import diffuse_start
 from .filters.disturbances import disturbances
 from .filters.events import Readings, merge_events
+from .filters.first_reading import from_first_reading, to_first_reading
 from .filters.forecast import forecast
 from .filters.kalman import (
     cubature_kalman_filter,
@@ -168,6 +169,7 @@ __all__ = [
     "extended_kalman_filter",
     "fit",
     "forecast",
+    "from_first_reading",
     "gnn_filter",
     "gospa",
     "homing",
@@ -203,6 +205,7 @@ __all__ = [
     "square_root_kalman_filter",
     "start_from",
     "steady_state",
+    "to_first_reading",
     "tracker",
     "two_filter_smoother",
     "unscented",

@@ -181,7 +181,8 @@ def lines(quick):
         caught = np.mean([not card.passed for card in kind.cards(rng, few, **told, **how)])
         doubt = np.sqrt(max(caught * (1 - caught), 1 / few) / few)
         good = caught >= binom.ppf(DOUBT, few, POWER) / few
-        yield Line(f"  {what}; {kind.name}", f"{caught:.0%} ± {doubt:.0%} found", f"≥ {POWER:.0%}", bool(good))
+        short = f"  {what}; {kind.name.partition(', R of')[0]}"
+        yield Line(short, f"{caught:.0%} ± {doubt:.0%} found", f"≥ {POWER:.0%}", bool(good))
 
 
 def honest(runs, kinds=KINDS):

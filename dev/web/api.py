@@ -41,7 +41,8 @@ def pages(lessons):
     used, made = where_used(lessons), {}
     for room, title in ROOMS.items():
         if names := public(room):
-            parts = [f"# {title}", *(entry(room, name, used.get(name, [])) for name in names)]
+            lead = f"What `kflearn` gives for this: {', '.join(names)}."
+            parts = [f"# {title}", lead, *(entry(room, name, used.get(name, [])) for name in names)]
             made[f"api-{room}.md"] = "\n\n".join(parts) + "\n"
     rooms = "\n".join(
         f"- [{ROOMS[room]}](api-{room}.md): " + ", ".join(map(link, public(room)))

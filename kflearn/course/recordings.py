@@ -109,9 +109,11 @@ def read(path, time=None, columns=None, time_unit=None, encoding="utf-8-sig", **
         reason = getattr(error, "strerror", None) or "this is not the name of a file"
         raise RecordingError((None, f"{short(getattr(path, 'name', path))} cannot be read: {reason}")) from None
     tracks.refuse_binary(raw, short(Path(path).name))
+    ending = Path(path).suffix.lower()
+    if isinstance(encoding, str) and encoding in ("utf-8", "utf-8-sig"):
+        return _parsed(lambda: _decoded(raw, encoding), raw, told, ending, Path(path))
     text = _decoded(raw, encoding)
-    plain = encoding in ("utf-8", "utf-8-sig")
-    return _parsed(text, told, Path(path).suffix.lower(), *((Path(path), raw) if plain else ()))
+    return _parsed(lambda: text, text.encode(), told, ending)
 
 
 def _decoded(raw, encoding):
@@ -132,23 +134,28 @@ def parse(text, time=None, columns=None, time_unit=None, **options) -> Recording
     if not isinstance(text, str):
         raise RecordingError((None, f"text must be a text, got {short(text)}"))
     needs("pandas", "reading a table")
-    return _parsed(text, Options.of(dict(time=time, columns=columns, time_unit=time_unit, **options)))
+    told = Options.of(dict(time=time, columns=columns, time_unit=time_unit, **options))
+    return _parsed(lambda: text, text.encode("utf-8", "surrogatepass"), told)
 
 
-def _parsed(text, options, ending="", path=None, raw=None):
-    """From plain texts quickly; if anything is wrong once more, slowly, to say what."""
-    if ending == ".gpx" or "<gpx" in text[:2000]:
-        return _recording(tracks.gpx(text), options, [])
-    if ending == ".nmea" or text.lstrip("\ufeff \r\n").startswith(("$G", "\\g:")):
-        return _recording(tracks.nmea(text, options), options, [])
+def _parsed(text, raw, options, ending="", path=None):
+    """From plain texts quickly; if anything is wrong once more, slowly, to say what.
+
+    text: a function that returns the whole text, which takes its time; raw: the same in UTF-8; path: of a file of raw.
+    """
+    head = raw[:8000]
+    if ending == ".gpx" or b"<gpx" in head:
+        return _recording(tracks.gpx(text()), options, [])
+    if ending == ".nmea" or head.lstrip(b"\xef\xbb\xbf \r\n").startswith((b"$G", b"\\g:")):
+        return _recording(tracks.nmea(text(), options), options, [])
     try:
-        table = rows.quick_table(text, options, path, raw)
+        table = rows.quick_table(raw, options, path)
         if table is not None:
             return _recording(table, options, [])
     except RecordingError:
         pass
     faults: list = []
-    return _recording(rows.exact_table(text, options, faults), options, faults)
+    return _recording(rows.exact_table(text(), options, faults), options, faults)
 
 
 def _recording(table, options, faults):

@@ -45,6 +45,14 @@ def typical(answers, truths):
     return np.median([np.sqrt(np.mean(off(a, t) ** 2)) for a, t in zip(answers, truths, strict=True)])
 
 
+def not_exact(answers, recordings):
+    """What to look at where the error is too large."""
+    truths = [truth for _, truth in recordings]
+    if lost_share(answers, truths) > 50:
+        return "The boat is lost in most recordings, and so in the middle one. Look at that first."
+    return "The boat is found, but not exactly: is every reading in the gate counted by its weight, and does the gain come from S?"
+
+
 # ---- designs
 
 

@@ -152,6 +152,10 @@ WRONG["log_likelihood"] = {
         lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S),
         "One NaN makes the whole sum NaN. Leave out the steps where y is NaN.",
     ),
+    "product first": (
+        of_seen(lambda y, S: np.log(np.prod(np.exp(-(y**2) / (2 * S)) / np.sqrt(2 * np.pi * S)))),
+        "You multiply the heights first. In a long run their product is too small for a float and becomes 0: add the logarithms.",
+    ),
     "plus": (
         of_seen(lambda y, S: 0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S)),
         "The sign: that is minus the log-likelihood, as a search for a minimum wants it.",

@@ -84,6 +84,10 @@ WRONG = {
             lambda v, late, dt: float(np.argmax(scores(v, late))),
             "That is the number of steps. Seconds were asked for: times dt.",
         ),
+        "0 to 9 only": (
+            lambda v, late, dt: np.argmax(scores(v, late)[:10]) * dt,
+            "Do you try 10 steps as well? `range(10)` ends at 9.",
+        ),
         "negative": (
             lambda v, late, dt: -np.argmax(scores(v, late)) * dt,
             "The size is right. The second series is late, and the delay is asked for as a positive number.",

@@ -136,7 +136,7 @@ WRONG = {
     ),
     "zeros": {
         "right program": ([3, 1], "That is what a right program does, in which pairs outside the gate are forbidden: 3.0 + 1.5. In this one they cost 0."),
-        "greedy": ([1, 2], "That is the greedy way in a right program: the 0.4 first. This program looks for the smallest sum, and has a 0 for each dash."),
+        "greedy": ([1, 2], "That is the greedy way in a right program: the 0.4 first. This program looks for the smallest sum, and has a 0 for each dash. (Or did you count from 0? In the table the readings count from 1.)"),
         "both the same": ([1, 1], "A reading goes to one track at most. And in this program a dash costs 0."),
         "A alone": ([2, 1], "Half of it: A gets its dash. B has a dash too, which costs 0, and 1.5 is more."),
         "B alone": ([1, 3], "Half of it: B gets its dash. A has a dash too, which costs 0, and 0.4 is more."),

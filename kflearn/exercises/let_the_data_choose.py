@@ -50,7 +50,7 @@ def runs(rng, T):
         "A missing reading counts nothing at all, not even its log 2πS. `np.isnan(y)` tells where.",
         "`seen = ~np.isnan(y)`, then `-0.5 * np.sum(np.log(2 * np.pi * S[seen]) + y[seen]**2 / S[seen])`",
     ],
-    inputs=in_turn(runs, 6, 3, 9),
+    inputs=in_turn(runs, 6, 3, 800),
     wrong=WRONG["log_likelihood"],
     also=[lambda y, S: np.nansum(-0.5 * (np.log(2 * np.pi * S) + y**2 / S))],
     then="With this function and a filter in a loop you can fit any model with SciPy. That is all that `fit` does, only faster.",

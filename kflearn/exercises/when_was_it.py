@@ -27,7 +27,7 @@ def behind():
 
 def two_speeds(rng, T):
     """The speeds of one drive in a town from two instruments; the second is late by some steps and has an offset."""
-    lag, dt = int(rng.integers(1, 9)), rng.integers(1, 9) / 20
+    lag, dt = 10 if T == 40 else int(rng.integers(0, 10)), rng.integers(1, 9) / 20  # the longest delay is tried too
     true = [12.0]
     for push in rng.normal(0, 3, T + lag - 1):  # it stops and goes, so that no trend hides the delay
         true.append(12 + 0.6 * (true[-1] - 12) + push)

@@ -8,7 +8,6 @@ its runs of refusals. `python -m dev.hard values` measures it.
 
 import textwrap
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -205,7 +204,8 @@ def _share_of_R(model, track):
     return np.broadcast_to(R / S, track.innovation.mean.shape)
 
 
-class _Line(NamedTuple):
+@dataclass(frozen=True)
+class _Line:
     """A line of the card before its level is known."""
 
     what: str

@@ -12,7 +12,7 @@ import pytest
 from kflearn import Gaussian, correct, kalman_filter, predict, random_walk, start_from
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-NAMES = ("notation", "glossary", "errata-museum", "cheat-sheet", "recordings", "loggers")
+NAMES = ("notation", "glossary", "errata-museum", "cheat-sheet", "recordings", "loggers", "libraries")
 per_page = pytest.mark.parametrize("name", NAMES)
 
 LINK = r"\]\(([^)\s]+)\)"

@@ -64,8 +64,8 @@ def convicted(runs, rng=0, ride=ride, **told):
 
 
 def test_an_honest_filter_fails_in_one_recording_of_twenty():
-    assert convicted(200) <= binom.ppf(0.995, 200, 0.05)
-    assert convicted(200, R=TRUE_R) <= binom.ppf(0.995, 200, 0.05)
+    assert convicted(60) <= binom.ppf(0.995, 60, 0.05)
+    assert convicted(60, R=TRUE_R) <= binom.ppf(0.995, 60, 0.05)
 
 
 @pytest.mark.parametrize(

@@ -237,3 +237,31 @@ def test_inputs_u():
     start = Gaussian(np.stack([START.mean, START.mean]), START.cov)
     found = gnn_filter(model, z, start, u, **SENSOR)
     close(found.mean[1], wanted.mean, 1e-12)
+
+
+def test_a_model_that_changes_with_time():
+    rng = np.random.default_rng(6)
+    model, start = random_model(rng, 3, 2, steps=9), random_belief(rng, 3)
+    z = rng.normal(size=(9, 2))
+    z[4] = np.nan
+    wanted = kalman_filter(model, z, start)
+    for run in (nearest_filter, lambda *a, **k: pda_filter(*a, detection=1.0, clutter=1e-14, **k)):
+        track = run(model, z[:, None], start, gate=1 - 1e-12)
+        close(track.mean, wanted.mean, 1e-6)
+        close(track.cov, wanted.cov, 1e-6)
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1e3])
+def test_units_do_not_matter(unit):
+    """In other units of length λ has another value, and nothing else changes."""
+    _, scans = one_target(3, steps=10)
+    other = PLANE.replace(Q=unit**2 * PLANE.Q, R=unit**2 * PLANE.R)
+    start = Gaussian(unit * START.mean, unit**2 * START.cov)
+    here = pda_filter(PLANE, scans.z, START, detection=0.9, clutter=1e-3)
+    there = pda_filter(other, unit * scans.z, start, detection=0.9, clutter=1e-3 / unit**2)
+    close(there.weights, here.weights, 1e-9)
+    close(there.mean / unit, here.mean, 1e-9)
+    both = [Gaussian(np.stack([s.mean, s.mean + 5 * u]), s.cov) for s, u in ((START, 1), (start, unit))]
+    one = gnn_filter(PLANE, scans.z, both[0], detection=0.9, clutter=1e-3)
+    two = gnn_filter(other, unit * scans.z, both[1], detection=0.9, clutter=1e-3 / unit**2)
+    np.testing.assert_array_equal(one.used, two.used)

@@ -156,3 +156,23 @@ def test_bad_input(changed, words):
     good = dict(model=WALK, z=np.zeros((3, 2, 1)), birth=WIDE, **SENSOR)
     with pytest.raises(ValueError, match=words):
         tracker(**(good | changed))
+
+
+def test_the_order_in_a_scan_is_of_no_account():
+    _, scans = scene(3, steps=12)
+    one, other = (tracker(PLANE, z, BIRTH, detection=0.9, clutter=2e-5) for z in (scans.z, scans.z[:, :, ::-1]))
+    for run in range(3):
+        for k in range(12):
+            a, b = (t.estimates[run, k][t.confirmed[run, k]] for t in (one, other))
+            np.testing.assert_allclose(a[np.argsort(a[:, 0])], b[np.argsort(b[:, 0])], rtol=1e-9, atol=1e-9)
+
+
+def test_a_model_that_changes_with_time():
+    rng = np.random.default_rng(0)
+    R = np.linspace(4, 16, 6)[:, None, None]
+    model, z = WALK.replace(R=R), rng.normal(0, 3, (6, 1, 1))
+    tracks = tracker(model, z, WIDE, detection=0.9, clutter=1e-6)
+    start = correct(model, WIDE, z[0, 0], k=0)
+    wanted = kalman_filter(WALK.replace(R=R[1:]), z[1:, 0], start)
+    close(tracks.mean[1:, 0], wanted.mean, 1e-12)
+    close(tracks.cov[1:, 0], wanted.cov, 1e-12)

@@ -43,7 +43,7 @@ html_css_files = ["course.css"]
 html_js_files = [("reach.js", {"defer": "defer"})]
 html_math_renderer = "mathml"
 html_copy_source = html_show_sourcelink = html_show_sphinx = False
-html_show_copyright = html_use_index = False
+html_show_copyright = html_use_index = html_domain_indices = False
 
 # ---- formulas: MathML, which browsers draw without any script
 
@@ -151,6 +151,8 @@ def plain(app, what, name, thing, options, lines):
 def around(app, docname, template, context, doctree):
     """For the template page.html: the page's description, its notebook. Some pages have a style of their own."""
     context["description"] = description(doctree) or project
+    tree = context.get("furo_navigation_tree") or ""
+    context["furo_navigation_tree"] = tree.replace('role="heading"', 'role="heading" aria-level="2"')
     notebook = Path("notebooks", docname).with_suffix(".ipynb")
     context["notebook"] = str(notebook) if Path(app.srcdir, "extra", notebook).exists() else None
     if docname == "appendix-cheat-sheet":
@@ -176,4 +178,4 @@ def setup(app):
     app.connect("autodoc-process-docstring", plain, priority=400)  # before napoleon
     app.connect("doctree-read", collect)
     app.connect("doctree-resolved", refer)
-    app.connect("html-page-context", around)
+    app.connect("html-page-context", around, priority=900)  # after the theme has made its navigation

@@ -81,7 +81,7 @@ def _kind(text):
 
 def values_of(table, chosen, options, faults):
     """The readings (T, m), NaN for gaps; texts are read in the order of the lines."""
-    values = np.full((len(table), len(chosen)), np.nan)
+    values = np.empty((len(table), len(chosen)))
     texts = {}
     for i, j in enumerate(chosen):
         if table.is_numeric(j):
@@ -89,7 +89,7 @@ def values_of(table, chosen, options, faults):
             for k in np.flatnonzero(np.isinf(values[:, i])) if table.exact else ():
                 faults.append((int(table.lines[k]), f"column {short(table.names[j])}: {values[k, i]} is no number"))
         else:
-            texts[i] = table.text(j)
+            texts[i], values[:, i] = table.text(j), np.nan
     number = Numbers(table.separator, options)
     words = {i: {m for m in options.marks_of(table.names[chosen[i]]) if isinstance(m, str)} for i in texts}
     for k in range(len(table) if texts else 0):

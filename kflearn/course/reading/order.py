@@ -88,9 +88,10 @@ def faults_of(table, clock, options):
 
 def _late(table, clock, options, good):
     """The stamps that are not later than the newest before them."""
-    faults, lines, seconds = [], table.lines[good], clock.seconds[good]
-    if (np.diff(seconds) > 0).all():
+    faults: list = []
+    if len(good) == len(table) and (clock.seconds[1:] > clock.seconds[:-1]).all():
         return faults
+    lines, seconds = table.lines[good], clock.seconds[good]
     newest = np.maximum.accumulate(seconds)
     late = np.flatnonzero(seconds[1:] <= newest[:-1]) + 1
     if options.equal != "refuse":

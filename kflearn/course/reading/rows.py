@@ -11,44 +11,43 @@ from .layout import LOOKED_AT, fields_of, is_comment, layout_of
 from .table import GAPS, Table, named
 
 ISO = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d.*)?$")
-DAYS = (("o", "now"), ("o", "oday"), ("O", "NOW"), ("O", "ODAY"))  # pandas takes them for dates
+DAYS = ((b"o", b"now"), (b"o", b"oday"), (b"O", b"NOW"), (b"O", b"ODAY"))  # pandas takes them for dates
 BLANK = " ;,\t|"
 GAP_WORDS = sorted(GAPS - {""} | {word.upper() for word in GAPS} | {"NaN", "NaT", "None", "Null", "Na"})
 
 
-def quick_table(text, options, path=None, raw=None):
+def quick_table(raw, options, path=None):
     """A table whose texts may have lost their exact form, or None where the text is not plain enough for pandas.
 
     Parameters
     ----------
-    text : str
+    raw : bytes
+        A text in UTF-8. Only its head is decoded here.
     options : Options
     path : Path, optional
-        Of a file in UTF-8 that holds this text: read from there, pandas is faster.
-    raw : bytes, optional
-        What stands in that file.
+        Of the file that holds it: read from there, pandas is faster.
     """
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            return _by_pandas(text, options, path, raw)
+            return _by_pandas(raw, options, path)
     except Exception:  # whatever it is, reading line by line says it better
         return None
 
 
-def _by_pandas(text, options, path, raw):
+def _by_pandas(raw, options, path):
     import pandas as pd
 
-    odd = any(mark in text for mark in '"#\0') or ("\r" in text and text.count("\r") != text.count("\r\n"))
+    odd = any(mark in raw for mark in (b'"', b"#", b"\0")) or (b"\r" in raw and raw.count(b"\r") != raw.count(b"\r\n"))
     if odd or options.separator == " ":
         return None
+    text = _head(raw)
     layout = layout_of(_first_lines(text), options)
     settings = _settings(text, layout, options)
-    if "parse_dates" in settings and _names_a_day(text):
+    if "parse_dates" in settings and _names_a_day(raw):
         return None
-    raw = text.encode() if raw is None else raw
     width, (ends, between) = len(layout.titles), _counts(raw, "\n", layout.separator)
-    rows = ends + (not text.endswith("\n")) - layout.first + 1
+    rows = ends + (not raw.endswith(b"\n")) - layout.first + 1
     frame = pd.read_csv(path or io.BytesIO(raw), **settings)
     columns = [frame[j] for j in range(width)]
     whole = between - _before(text, layout) == rows * (width - 1) and len(frame) == rows
@@ -58,9 +57,15 @@ def _by_pandas(text, options, path, raw):
     return Table(columns, layout.titles, lines, layout.top, layout.separator, exact=False, units_row=layout.units)
 
 
-def _names_a_day(text):
+def _head(raw):
+    """The first lines as text; whole lines, where there are any."""
+    end = raw.rfind(b"\n", 0, 2000 * LOOKED_AT) + 1 if len(raw) > 2000 * LOOKED_AT else len(raw)
+    return raw[: end or len(raw)].decode("utf-8")
+
+
+def _names_a_day(raw):
     """Does "now" or "today" stand in it? In a column of dates pandas would take it for one."""
-    return any((text.find(sign, 4000) >= 0 and day in text) or day in text[:4000] for sign, day in DAYS)
+    return any((raw.find(sign, 4000) >= 0 and day in raw) or day in raw[:4000] for sign, day in DAYS)
 
 
 def _counts(raw, *marks):

@@ -1,0 +1,1 @@
+"""Kalman filters of other libraries on three tiny problems: what each takes and gives, `make atlas`."""
