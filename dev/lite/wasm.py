@@ -45,6 +45,7 @@ def attempt(name, root, pure_python):
         env={"HOME": "/tmp", "MPLCONFIGDIR": "/tmp/matplotlib", "IPYTHONDIR": "/tmp/ipython"},
         deadline_s=60 * MINUTES,
         memory_bytes=MEMORY,
+        cache_dir=Path(sys.prefix, "translated"),  # goes with the environment
     )
     words = done.stderr.decode()
     if done.exit_code or done.trapped:

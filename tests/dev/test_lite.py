@@ -13,7 +13,7 @@ import pytest
 
 from dev.lab import ASK, CHROMIUM, ROOT, browser
 from dev.lessons import lessons
-from dev.lite import build, pure, pyodide
+from dev.lite import build, guest, pure, pyodide, wasm
 
 BUILT = os.environ.get("KFLEARN_LITE")
 FUSION = "04-gaussian-fusion.ipynb"
@@ -49,6 +49,42 @@ def test_what_is_installed_is_what_the_lessons_and_the_package_need():
     names = pure.needed()
     assert {"anywidget", "filterpy", "ipywidgets", "pandas"} <= set(names) and "ipykernel" not in names
     assert not [name for name in names if re.search(r"[^\w-]", name)], "names without versions"
+
+
+def printing(folder, *cells):
+    """A notebook of code cells, each with what it is said to have printed."""
+    made = [
+        {"cell_type": "code", "id": name, "source": source, "outputs": [{"output_type": "stream", "text": [text]}]}
+        for name, source, text in cells
+    ]
+    path = folder / "lesson.ipynb"
+    path.write_text(json.dumps({"cells": made}), encoding="utf-8")
+    return path
+
+
+def test_under_webassembly_a_cell_that_prints_otherwise_is_named(tmp_path, capsys):
+    cells = ("same", "x = 2\nprint(x)", "2\n"), ("other", "print(x / 3)", "0.6667\n"), ("last", "x + 1;", "")
+    names, other, count = guest.lesson(printing(tmp_path, *cells))
+    assert (names["x"], other, count) == (2, ["other"], 3)
+    assert "lesson.ipynb, other printed\n0.666" in capsys.readouterr().err
+    assert wasm.line("04", {"cells": 3, "other": other}) == "04: 3 cells; printed otherwise in other"
+
+
+def imports_of_lesson_4():
+    """The imports of all cells of lesson 4, which its solutions need."""
+    cells = json.loads((ROOT / "notebooks" / FUSION).read_text(encoding="utf-8"))["cells"]
+    sources = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+    lines = [line for source in sources for line in source.splitlines() if re.match(r"(from|import) ", line)]
+    return "\n".join(lines)
+
+
+def test_under_webassembly_solutions_are_checked():
+    from kflearn.exercises import gaussian_fusion
+    from kflearn.exercises.engine import exercises_of
+
+    names = {"exercises": gaussian_fusion}
+    exec(imports_of_lesson_4(), names)
+    assert guest.solved(names) == len(exercises_of(gaussian_fusion)) >= 3
 
 
 def test_pyodide_brings_what_its_packages_depend_on():
