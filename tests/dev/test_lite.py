@@ -116,6 +116,12 @@ def test_the_site_has_all_lessons_and_wheels():
     assert {name.replace("_", "-") for name in ("kflearn", *pure.SITE)} <= {name.replace("_", "-") for name in wheels}
 
 
+@of_the_site
+def test_the_class_guide_names_the_pyodide_that_fits():
+    guide = (ROOT / "class" / "README.md").read_text(encoding="utf-8")
+    assert f"pyodide-{build.version(Path(BUILT))}.tar.bz2" in guide
+
+
 @pytest.fixture(scope="module")
 def with_core(tmp_path_factory):
     """A copy of the site with Pyodide, but without Pyodide's compiled packages, which are in no registry."""
