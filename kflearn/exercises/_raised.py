@@ -39,7 +39,7 @@ def told(error, function, inputs) -> tuple[str, str]:
     said = _code(f"{type(error).__name__}: {message}".rstrip(": "))
     line = linecache.getline(places[-1][0].f_code.co_filename, places[-1][1]).strip() if places else ""
     if isinstance(error, TooLong):
-        said = f"it was stopped after {SECONDS} seconds: does a loop never end?"
+        said = f"it was stopped after {SECONDS} seconds: does a loop never end? Or is it only slow, and begins anew again and again?"
     return "raised", said + (f" in the line {_code(line)}" if line else "") + f", called with {_code(inputs)}."
 
 
