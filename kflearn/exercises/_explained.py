@@ -65,7 +65,7 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
         return status, sentence
     sizes = len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
     remark = _of_the_notebook(answer, exercise.parameters)
-    if not remark and sizes and (found := _typed_size(answer)):
+    if not remark and sizes and isinstance(error, (ValueError, IndexError)) and (found := _typed_size(answer)):
         fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
         remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
     if not remark and sizes and isinstance(error, IndexError):

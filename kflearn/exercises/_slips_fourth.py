@@ -6,9 +6,7 @@ from kflearn.exercises._newton_to_state_space import column, dragged
 from kflearn.exercises._words import heard
 
 BRACKETS = "In Python `/ 2 * mass` divides by 2 and then multiplies by the mass: write / (2 * mass)."
-KNOB = (
-    "One letter is wanted, and it is another one. The estimate is nearly the best: which letter changes only the band?"
-)
+KNOB = "The estimate is nearly the best: which letter changes only the band?"
 MYSTERY = {
     r"modest|cautious|careful": "Too modest, yes: NIS is below 2. Which of the four faults makes it so? The sign of the neighbours decides.",
     r"too sure|confident|optimistic": "NIS below 2 says the opposite: the claimed error is too large. Which of the four faults makes it so?",
@@ -103,7 +101,7 @@ WRONG = {
         "/ 2 * mass": (motion(slip, half), BRACKETS),
         "/ 2 * mass in F": (motion(slip, half, dt_B=False), f"B is right. In F a bracket is missing. {BRACKETS}"),
         "/ 2 * mass in B": (motion(slip, half, dt_F=False), f"F is right. In B a bracket is missing. {BRACKETS}"),
-        "drag in B": (
+        "1 − c in B": (
             lambda dt, mass, c: (
                 dragged(dt, c * half(dt, mass), c * dt / mass),
                 (1 - c) * column(half(dt, mass), dt / mass),
@@ -216,7 +214,7 @@ WRONG = {
             entries_added,
             "Entries may be negative: compare the traces of L Lᵀ, not the sums. And `*` multiplies entry by entry: `L @ L.T`.",
         ),
-        "difference": (
+        "difference of the squares": (
             lambda one, two: abs(one @ one.T - two @ two.T),
             "The difference is what the reading took away. Return the smaller of the two covariances itself.",
         ),
@@ -237,4 +235,4 @@ WRONG = {
         ),
     },
 }  # fmt: skip
-KNOBS, MYSTERIES = heard({r"^none": KNOB}), heard(MYSTERY)
+KNOBS, MYSTERIES = heard({r"^none": f"One of the five is right. {KNOB}"}), heard(MYSTERY)

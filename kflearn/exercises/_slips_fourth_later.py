@@ -160,7 +160,7 @@ WRONG = {
         "whole seconds": (whole_seconds, "You rounded up to whole seconds, but the time is no whole number. Solve the equation for t."),
     },
     "mended_fix": {
-        "dx off twice": (twice, "x holds dx already here, and you subtract dx[:2] from the fix once more: compare the fix with x + dx once."),
+        "dx off twice": (twice, "Your x holds dx already, and you subtract dx[:2] from the fix once more: compare the fix with x + dx once."),
     },
     "all_bias": {
         "as in the lesson": (21.6, "That number is from the lesson's table. Here the learnt 0.13 meets a sensor error of 0.07."),
@@ -224,6 +224,14 @@ WRONG = {
         "wrong one, difference": (
             wrong_one,
             "You shifted v in place of late. If `late` is late by d steps, `late[d:]` belongs to `v[:len(v) - d]`.",
+        ),
+        "begins at one": (
+            lambda v, late, dt: np.argmin([np.std(late[d:] - v[: len(v) - d]) for d in range(1, 11)]) * dt,
+            "Your first shift is one step, and place 0 of your list stands for it. Begin with the shift 0.",
+        ),
+        "begins at one, correlation": (
+            lambda v, late, dt: np.argmax([np.corrcoef(late[d:], v[: len(v) - d])[0, 1] for d in range(1, 11)]) * dt,
+            "Your first shift is one step, and place 0 of your list stands for it. Begin with the shift 0.",
         ),
         "largest values": (
             lambda v, late, dt: (np.argmax(late) - np.argmax(v)) * dt,
