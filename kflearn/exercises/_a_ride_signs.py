@@ -161,12 +161,33 @@ def gates(answer, answers, recordings):
             "Your filter uses readings that are far off. Is there a gate, by the NIS, and before the correction? And is it "
             "not so wide that all pass?"
         )
+    if share(refused, good) > 0.05 and in_a_row(refused, good) > 0.5:
+        return (
+            f"Your filter refuses {100 * share(refused, good):.0f} % of the good readings, mostly many in a row: once locked "
+            "out, it stays so for long. Compare with the prediction, by the NIS: S grows while nothing is used."
+        )
     if share(refused, good) > 0.05:
         return (
             f"Your filter refuses {100 * share(refused, good):.0f} % of the good readings. NIS is the square of a distance "
             "in σ, and of two numbers: how large may it be?"
         )
     return None
+
+
+def in_a_row(refused, good):
+    """Which share of the good readings that are refused stands in runs of five or more refusals."""
+    long, short = 0, 0
+    for r, g in zip(refused, good, strict=True):
+        for begin, end in runs(r):
+            count = np.sum(g[begin:end])
+            long, short = (long + count, short) if count >= 5 else (long, short + count)
+    return long / max(long + short, 1)
+
+
+def runs(marked):
+    """The begin and the end of each run of True."""
+    edges = np.diff(np.concatenate([[False], marked, [False]]).astype(int))
+    return list(zip(np.flatnonzero(edges == 1), np.flatnonzero(edges == -1), strict=True))
 
 
 ORDER = "In another order of your states all of this passes. The order is: east, its speed, north, its speed."

@@ -3,15 +3,11 @@
 import numpy as np
 
 from kflearn import Gaussian, TimedFilter
+from kflearn.exercises._a_stream_late import LATE, step_to, white
 from kflearn.exercises._judge import Mark, inside, nees, pair, rms
 
 A, L = [[0, 1], [0, 0]], [[0], [1]]
 END = 40.0  # seconds
-
-
-def white(dt, q):
-    """F and Q of a step."""
-    return np.array([[1, dt], [0, 1]]), q * np.array([[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
 
 
 def taken(rng):
@@ -104,13 +100,6 @@ def carried_on(now, t, z, H, R, q, mean, cov):
     return tuple(np.array(part) for part in zip(*rows, strict=True))
 
 
-def step_to(kept, t, q):
-    """The belief at t, from (time, mean, covariance)."""
-    time, x, P = kept
-    F, Q = white(t - time, q)
-    return F @ x, F @ P @ F.T + Q
-
-
 def not_moved(now, t, z, H, R, q, mean, cov):
     """The belief at the newest reading in place of that at `now`."""
     live, rows = TimedFilter(lambda dt: white(dt, q), Gaussian(mean, cov), 0.0, keep=60), []
@@ -198,7 +187,7 @@ PASSING = {
     "one step of retrodiction": fed(late="retrodict"),
     "a memory of twelve readings": fed(keep=12),
 }
-SAID = {
+SAID = LATE | {
     "late readings are dropped": (
         fed(late="drop"),
         "Your filter does not use readings that arrive late. They still tell where the car was: put them in at their t, and use all younger readings once more.",

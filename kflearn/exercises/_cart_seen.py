@@ -24,7 +24,7 @@ def white(Q, dt, sd):
 PUSH = "an acceleration a, held for dt, moves the position by a·dt²/2 and the speed by a·dt."
 SEEN = [
     (lambda Q, dt, sd: 0 * Q, "In the gaps P moves with F but gains no Q: add it in each prediction."),
-    (lambda Q, dt, sd: Q / sd, "In the gaps P grows by sd times G Gᵀ; Q is a covariance: sd²."),
+    (lambda Q, dt, sd: Q / sd, "In the gaps P grows by sd times G Gᵀ; Q is a covariance: sd². (R and the start's P want sigma² as well.)"),
     (lambda Q, dt, sd: Q / sd**2, "In the gaps P grows by G Gᵀ alone; sd is missing in your Q."),
     (lambda Q, dt, sd: Q / dt**2, "In the gaps Q lacks a factor: an acceleration a, held for dt, adds a·dt to the speed."),
     (white, "In the gaps Q is that of white noise, new at every instant. Here the acceleration is held for the whole step."),
@@ -87,6 +87,21 @@ def of_the_gaps(answers, recordings):
     return None
 
 
+def anew(answers, recordings):
+    """A filter that begins again at the first reading after a gap."""
+    same = []
+    for answer, recording in zip(answers, recordings, strict=True):
+        (mean, cov), z, steps = pair(answer), recording[0][0], gaps(recording)
+        back = np.setdiff1d(steps + 1, steps)
+        same += [np.allclose(cov[k], cov[0]) and np.isclose(mean[k, 0], z[k]) for k in back[back < len(z)]]
+    if all(same):
+        return (
+            "At the first reading after a gap you start anew, as at the very first one. The filter still knows the speed, "
+            "and its P says how well: correct there as always."
+        )
+    return None
+
+
 def of_Q(answers, recordings):
     """The Q in the gaps, where it has a name."""
     grown = [growth(*each) for each in zip(answers, recordings, strict=True)]
@@ -95,6 +110,9 @@ def of_Q(answers, recordings):
             np.allclose(Q, form(right, dt, sd), rtol=1e-3, atol=1e-6 * abs(right).max()) for Q, right, dt, sd in grown
         ):
             return words
+    Qs = np.array([Q for Q, *_ in grown])
+    if np.ptp(Qs, axis=0).max() < 1e-6 * abs(Qs).max():
+        return "In the gaps P grows by the same Q in every recording. Here each cart has its own: Q = sd² G Gᵀ, and G has dt in it."
     return None
 
 
@@ -141,7 +159,7 @@ def of_R(answers, recordings):
 
 def named(answers, recordings):
     """What a filter does wrongly, as far as it can be seen in its results; else None."""
-    for look in (of_the_gaps, of_Q, of_the_start, of_R):
+    for look in (of_the_gaps, anew, of_Q, of_the_start, of_R):
         try:
             if words := look(answers, recordings):
                 return words

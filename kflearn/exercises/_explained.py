@@ -65,14 +65,23 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
         return status, sentence
     sizes = len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
     remark = _of_the_notebook(answer, exercise.parameters)
-    if not remark and sizes and (found := _typed_size(answer)):
+    if not remark and sizes and isinstance(error, (ValueError, IndexError)) and (found := _typed_size(answer)):
         fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
         remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
     if not remark and sizes and isinstance(error, IndexError):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
     if not remark and sizes and number and isinstance(error, ValueError):
-        remark = "The trials have several sizes: is a size typed in, or does a product need a transpose?"
+        remark = _of_shapes(error, sentence)
     return status, f"{sentence} {remark}".rstrip()
+
+
+def _of_shapes(error, sentence):
+    """What is said of sizes that do not fit, which they did in the first trials."""
+    if "broadcast" in str(error) and re.search(r"in the line `[^`]*[A-Za-z_)\]] ?\* ?[A-Za-z_(]", sentence):
+        return "In the trials before the sizes fitted by chance. `*` multiplies entry by entry; the product of matrices is `@`."
+    if "broadcast" in str(error):
+        return "In the trials before the sizes fitted by chance. Two arrays of different shapes are added or multiplied: should a product stand between them?"
+    return "The trials have several sizes: is a size typed in, a transpose missing, or an order of factors wrong?"
 
 
 def _typed_size(answer):
@@ -132,9 +141,8 @@ def _of_matrices(answer, cases, good, names):
     if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
         name = _turned_over(answer, names) or "S"
         lead = lead.replace(f"only where {alike[-1]} ", f"only where {name if name in alike else alike[-1]} ")
-        return (
-            f"{lead} `1 / {name}` turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
-        )
+        sign = f"`1 / {name}`" if _code_of.has(answer, r"\b1(\.0?)? */") else f"`{name}**-1`"
+        return f"{lead} {sign} turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
     if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
         return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
     return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."
@@ -145,6 +153,7 @@ def _turned_over(answer, names):
     found = re.search(
         r"\b1(?:\.0?)? */ *\(?(?:np\.\w+\()?([A-Za-z_]\w*)\b(?! *[@*+(.\[-])", _code_of.text_of(answer) or ""
     )
+    found = found or re.search(r"([A-Za-z_]\w*) *\*\* *\(?-1", _code_of.text_of(answer) or "")
     own = dict(zip(_code_of.parameters(answer, names), names, strict=True))
     return found and own.get(found[1], found[1])
 

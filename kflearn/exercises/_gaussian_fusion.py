@@ -203,7 +203,7 @@ WRONG = {
         ),
         "prediction forgotten": (
             12,
-            "Twelve readings are enough, but fewer will do. The prediction brings a precision of 1/5, to be taken away from 1/0.09. (5 m² is a variance already: it is not squared.)",
+            "Twelve readings are enough, but fewer will do. The prediction brings a precision of 1/5, to be taken away from 1/0.09. (5 m² is a variance already: it is not squared.) Or does your counter begin at 1? Before the first reading none is counted.",
         ),
         "rounded down": (10, "With 10 readings σ is 0.313 m: not yet below 0.3 m. Round up."),
         "not rounded": (

@@ -12,6 +12,7 @@ from kflearn.exercises._answers import show, unfinished
 from kflearn.exercises._kinds import Exercise
 from kflearn.exercises._messages import Outcome
 from kflearn.exercises._raised import arity_fault, told
+from kflearn.exercises._watch import TooLong
 
 RECORDINGS = 20  # on which a filter is judged
 
@@ -92,7 +93,7 @@ class OpenExercise(Exercise):
             except KeyboardInterrupt:
                 raise
             except BaseException as error:
-                return Outcome(*told(error, answer, self._called(inputs)))
+                return Outcome(*self._raised(error, answer, inputs, answers))
             if unfinished(answers[-1]):
                 return Outcome("not attempted", "Your function returns nothing yet. Is its `return` missing?")
             if complaint := self.form(answers[-1], truth):
@@ -100,6 +101,13 @@ class OpenExercise(Exercise):
             if number == 0:
                 printed.close_after_first(len(self.recordings))
         return self._report(answer, answers)
+
+    def _raised(self, error, answer, inputs, answers):
+        """The status and the sentence for a function that raised; where it is slow, also what its first results lack."""
+        status, words = told(error, answer, self._called(inputs))
+        if isinstance(error, TooLong) and answers and first_endless(answers[0]) is not None:
+            words = f"{words} {self._endless(self.marks[0], answers)}"
+        return status, words
 
     def _called(self, inputs):
         return ", ".join(f"{name} = {show(value)}" for name, value in zip(self.parameters, inputs, strict=True))

@@ -272,6 +272,8 @@ class FunctionExercise(Exercise):
 
     def _until(self, answer, results, error):
         """A known mistake, which works until the sizes do not fit; None unless it is one only."""
+        if _code_of.names_of_the_notebook(answer):  # that is said first
+            return None
         case, number = self.cases[len(results)], len(results)
         alike = [label for label, (wrong, _) in self.wrong.items() if _rules.raises(wrong, case, type(error))]
         sure = {self.wrong[label][1] for label in alike if label in self.only_if}

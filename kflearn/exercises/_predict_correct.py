@@ -26,7 +26,7 @@ def ends_at(letters):
 
 
 REMARKS = {
-    "A": "The tape was expected to read 60 + 10 = 70.",
+    "A": "The tape was expected to read 60 + 10 = 70. For 60.5 m gain and innovation must both be others: it takes more mistakes.",
     "B": "That is one of the readers' answers. The gain is 1/2, but the innovation is still 2 m.",
     "C": "A wrong velocity alone does no harm, as H = [1, 0] does not ask for it: the step is right.",
     "D": "The correction goes away from the tape.",

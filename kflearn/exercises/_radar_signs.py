@@ -234,6 +234,10 @@ MISTAKES = [
         "You put the readings into the plane, and left R as it was, for distance and bearing. Turn it as well: J R Jᵀ, exercise 3.",
     ),
     (
+        lambda *given: converted(*given, R=25 * np.eye(2), turned=False),
+        "Your readings are good to 5 m in all directions. Across the line of sight they are good to 0.02·r: turn R into the plane, J R Jᵀ, exercise 3.",
+    ),
+    (
         lambda *given: converted(*given, R=np.diag([5.0, 0.02])),
         "Your R holds the standard deviations. R holds variances, 5² and 0.02², before it is turned into the plane.",
     ),

@@ -8,6 +8,8 @@ import traceback
 
 from kflearn.exercises._watch import SECONDS, TooLong
 
+SLOW = "Does a loop never end? Or is it only slow, and begins from the start again and again?"
+
 
 def arity_fault(function, inputs) -> str | None:
     """Says so if a function cannot be called with so many inputs."""
@@ -39,8 +41,9 @@ def told(error, function, inputs) -> tuple[str, str]:
     said = _code(f"{type(error).__name__}: {message}".rstrip(": "))
     line = linecache.getline(places[-1][0].f_code.co_filename, places[-1][1]).strip() if places else ""
     if isinstance(error, TooLong):
-        said = f"it was stopped after {SECONDS} seconds: does a loop never end?"
-    return "raised", said + (f" in the line {_code(line)}" if line else "") + f", called with {_code(inputs)}."
+        said = f"it was stopped after {SECONDS} seconds"
+    said += (f" in the line {_code(line)}" if line else "") + f", called with {_code(inputs)}."
+    return "raised", said + (f" {SLOW}" if isinstance(error, TooLong) else "")
 
 
 def _code(text):

@@ -74,7 +74,7 @@ WRONG = {
         ),
         "rounded down": (
             lambda a, P, Q, R: np.floor((a**2 / 9 - P - R) / Q),
-            "That is one step too early, when the gate is still a little too narrow. Round up; and step 1 has one Q in S already, so S = P + nQ + R in step n.",
+            "That is one step too early, when the gate is still a little too narrow. Round up; and step 1 has one Q in S already, so S = P + nQ + R in step n. Or did you count the refusals? The step after the last of them is wanted.",
         ),
         "3 for 9": (
             lambda a, P, Q, R: np.ceil((a**2 / 3 - P - R) / Q),

@@ -7,6 +7,7 @@ The exercises' own sentences come first. A rule speaks only where it explains al
 import copy
 import dis
 import inspect
+import re
 
 import numpy as np
 
@@ -177,7 +178,7 @@ def _reads(function, i) -> bool:
     if i >= code.co_argcount:
         return True  # it comes in by a star: whatever is done with it cannot be seen
     name = code.co_varnames[i]
-    steps = [step for step in dis.get_instructions(code) if "FAST" in step.opname or "DEREF" in step.opname]
+    steps = [step for step in dis.get_instructions(code) if re.search("FAST|DEREF|CLOSURE", step.opname)]
     read = [step.argval for step in steps if not step.opname.startswith(("STORE", "DELETE"))]
     return any(name == one or (isinstance(one, tuple) and name in one) for one in read)
 

@@ -69,13 +69,15 @@ def blind(function, exercise, close) -> str | None:
     for i, name in enumerate(exercise.parameters):
         told = [_moves(function, exercise._solve, case, i, close) for case in exercise.cases]
         if told.count(False) >= 3 and True not in told:
-            return f"With other values of {name} the result stays the same: something else stands in its place, or it cancels."
+            return f"With other values of {name} the result stays the same. Where does {name} get lost?"
     return None
 
 
 def _moves(function, solve, case, i, close):
     """Whether a function's numbers change with the argument, where those of the solution do; else None."""
     try:
+        if np.asarray(case[i]).dtype.kind == "b":
+            return None  # True and False have no other values but each other
         other = (*case[:i], 1.37 * np.asarray(case[i], float) + 0.61, *case[i + 1 :])
         before, after, *right = (each(*copy.deepcopy(c)) for each in (function, solve) for c in (case, other))
         if np.asarray(_values(right[0])[0]).dtype.kind != "f" or all(map(close, *map(_values, right))):

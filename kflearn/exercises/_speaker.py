@@ -1,8 +1,11 @@
 """Recordings for the open exercise of lesson 9: a speaker among echoes that last longer than the lesson's."""
 
+import re
+
 import numpy as np
 
 from kflearn import angle_difference, bearings
+from kflearn.exercises import _code_of
 
 STEPS, LONGEST, SETTLED = 325, 14, 30  # readings in a recording, in an echo; after a change, until it is judged again
 HABITS = bearings.VARIANTS["crossing"]
@@ -87,7 +90,7 @@ def of_one(answers, recordings):
         at = " It starts at the first readings, and they are an echo." if np.mean(begin) > 0.5 else ""
         return f"In {sum(lost)} of {len(rows)} recordings the filter is not at the speaker most of the time.{at} Does it ever come back?"
     if share > 0.7:
-        return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them. Does it switch too early, or believe each reading? A median of five readings is outvoted by three of an echo."
+        return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them. Does it switch too early, or believe each reading? A median of five readings, too, is outvoted by three of an echo."
     if share > 0.1:
         return (
             f"At the end of an echo of 11 to 14 readings the filter is {100 * share:.0f} % of the way to it. "
@@ -119,6 +122,14 @@ def of_two(answers, recordings):
         return "After a change the filter comes to the new speaker, but later than 30 readings: new readings must count for more when many of them agree."
     words = of_one(answers, recordings)
     return f"The filter comes to the new speaker, but it is wrong at other times. {words}"
+
+
+def sorts_raw(answer, answers, recordings):
+    """A median of bearings as plain numbers."""
+    text = _code_of.text_of(answer) or ""
+    if re.search(r"median\(z\[", text) and not re.search("wrap|angle_diff|exp|sin|360", text):
+        return "You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. And the first readings may be an echo: what do the first fifteen together say?"
+    return None
 
 
 # ---- designs

@@ -8,7 +8,8 @@ import numpy as np
 def sigma_of(counts):
     """What σ so many readings bring."""
     words = "{} readings bring σ down to {:.3g} m. Solve 2/√n = 0.25 for n."
-    return {str(n): (n, words.format(f"{n:,}", 2 / math.sqrt(n))) for n in counts}
+    more = {3: " The square of 8 is wanted, not its root.", 100: " Fewer are enough: 100 belongs to another σ."}
+    return {str(n): (n, words.format(f"{n:,}", 2 / math.sqrt(n)) + more.get(n, "")) for n in counts}
 
 
 WRONG = {
@@ -33,7 +34,7 @@ WRONG = {
         ),
         "σ for its square": (
             32,
-            "32 is 2/0.25²: one of the two numbers is squared, the other is not. Divide variance by variance, or σ by σ and then square.",
+            "32 is 2/0.25², or 2 · 4²: one of the two numbers is squared, the other is not. Divide variance by variance, or σ by σ and then square.",
         ),
         "squared twice": (4096, "4,096 readings give 2/√4096 = 0.03 m: more than was asked for. You squared twice."),
         "one too many": (65, "65 is more than needed: 0.25 m itself is allowed."),

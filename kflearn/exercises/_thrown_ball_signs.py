@@ -1,7 +1,10 @@
 """What is said of trackers that do not pass the open exercise of lesson 19, where the mistake can be recognised."""
 
+import re
+
 import numpy as np
 
+from kflearn.exercises import _code_of
 from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
 from kflearn.exercises._judge import pair
 from kflearn.exercises._thrown_ball import KICK, MARKS, H, motion
@@ -241,6 +244,16 @@ def floor(answer, answers, recordings):
     return None
 
 
+FIXED = r"(hypot|norm)\([^)]*\) *[<>]=? *\d"
+
+
+def by_distance(answer, answers, recordings):
+    """A gate that is a number of pixels."""
+    if re.search(FIXED, _code_of.text_of(answer) or ""):
+        return "Your gate is a fixed distance in px. Measure the innovation in units of S, by the NIS: narrow where the filter is sure, wide after a gap."
+    return None
+
+
 ORDER = "In another order of your states all of this passes. The order is: column, row, velocity of the column, velocity of the row."
 SIGNS = [
     same_P("frames"),
@@ -254,4 +267,5 @@ SIGNS = [
     moves,
     begins,
     gates,
+    by_distance,
 ]

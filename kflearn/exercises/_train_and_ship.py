@@ -212,7 +212,7 @@ WRONG = {
         ),
         "an rms for each axis": (
             lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2, axis=0))),
-            "The mean is right. You return one rms for each axis, as R wants them; the rms *distance* is one number.",
+            "The mean is right. You return one rms for each axis, whose squares R holds; the rms *distance* is one number.",
         ),
         "all numbers alike": (
             lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2))),

@@ -88,7 +88,10 @@ WRONG = {
             "That is P⁻ = P + Q, a variance, before the reading. The question asks for σ after it.",
         ),
         "ratio": (0.04, "That is the ratio q = Q/R. The gain follows from it, then P = K·R, then the root."),
-        "R": (0.25, "That is R, a variance, of the thermometer alone. The filter does better; and σ is a root."),
+        "R": (
+            0.25,
+            "0.25 is R, the variance of the thermometer alone, and also about the lesson's σ, of another Q and R. Here the filter does better; and σ is a root.",
+        ),
         "Q + R": (
             0.26,
             "You added Q and R. The filter's variance is smaller than that of a single reading, not larger.",

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._inside import used_R
 from kflearn.exercises._judge import pair
 
 STEPS, F, Q = 100, np.array([[1.0, 1.0], [0.0, 1.0]]), np.diag([0.005, 0.01])
@@ -107,6 +108,12 @@ def named(answers, recordings):
             return (
                 f"In recording 1 your P grows in each prediction by {factors[0]:.2g} times the Q that is given. "
                 "Only R is unknown: Q stays as it is, and P is not scaled."
+            )
+        low, high = np.quantile(used_R(covs[0], F, Q, np.eye(1, 2)), [0.1, 0.9])
+        if high > 5 * low > 0:
+            return (
+                f"In recording 1 your R changes from reading to reading; it is mostly between {low:.3g} and {high:.3g} m². "
+                "One innovation says little: find one R from the whole recording."
             )
         return None
     first = [np.linalg.inv(cov[0]) - np.linalg.inv(F @ COV @ F.T + Q) for cov in covs]

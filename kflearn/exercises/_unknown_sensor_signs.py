@@ -81,11 +81,28 @@ def gates(answer, answers, recordings):
     return None
 
 
+def moves_by(R, answers, recordings):
+    """Whether the means move by the gain of that R."""
+    fits = []
+    for a, ((z, F, Q, *_), _) in zip(answers, recordings, strict=True):
+        (mean, cov), seen = pair(a), np.isfinite(z[1:])
+        ahead, x = F @ cov[:-1] @ F.T + Q, mean[:-1] @ F.T
+        K = ahead[:, :, 0] / (ahead[:, :1, 0] + R)
+        right = x + K * (z[1:] - x[:, 0])[:, None]
+        fits.append(np.allclose(mean[1:][seen], right[seen], rtol=1e-3, atol=1e-3 * R**0.5))
+    return all(fits)
+
+
 def constant(answer, answers, recordings):
     """One R for all."""
     R, seen = used(answers, recordings)
     all_of_them = np.concatenate([each[s] for each, s in zip(R, seen, strict=True)])
     if np.ptp(all_of_them) < 1e-3 * all_of_them.min():
+        if not moves_by(all_of_them[0], answers, recordings):
+            return (
+                f"Your P is corrected with R = {all_of_them[0]:.3g} m² in every step, but the mean moves by another gain. "
+                "Use the same R, the learnt one, in both."
+            )
         return f"Your filter uses R = {all_of_them[0]:.3g} m² in every step. No constant R passes: it must be learnt."
     late = np.concatenate([each[s][100:] for each, s in zip(R, seen, strict=True)]).reshape(-1)
     if np.ptp(late) < 1e-3 * late.min() or all(

@@ -215,7 +215,9 @@ def before_gaps(answers, recordings):
         return "P grows by Q in the gaps, as it should. Look at the x and the P with which a gap begins."
     if grows_in_gaps([(a[0], np.square(a[1])) for a in map(flat, answers)], recordings):
         return "What you return grows in the gaps as a standard deviation does: return P itself, not its root."
-    return "P has to grow by Q for each reading that is missing: yours does not."
+    if all((np.abs(_gaps(a, r, 1)) < 1e-12 * r[0][1]).all() for a, r in zip(answers, recordings, strict=True)):
+        return "P has to grow by Q for each reading that is missing: yours does not."
+    return "P does not grow by Q from one missing reading to the next. Is Q added there, and nothing else done? A gap corrects nothing: no factor 1 − K."
 
 
 def too_wide_in_gaps(answers, recordings):

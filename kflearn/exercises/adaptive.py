@@ -9,6 +9,8 @@ from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_adaptive import SLIPS
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_fourth_words import NOISY
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise, judged
 
@@ -83,7 +85,8 @@ from kflearn.exercises.engine import exercise, judged
         ),
     }
     | SLIPS["window_needed"]
-    | THIRD["window_needed"],
+    | THIRD["window_needed"]
+    | FOURTH["window_needed"],
     unit="innovations",
     rtol=1e-3,
     also=[339],  # what `np.ceil` makes of 338.00000000000006
@@ -143,7 +146,7 @@ def logarithms(rng):
         "`s = log_weights + log_likelihoods`, then `return s - np.logaddexp.reduce(s)`",
     ],
     inputs=logarithms,
-    wrong=WRONG["weigh"],
+    wrong=WRONG["weigh"] | FOURTH["weigh"],
     then="A weight of e⁻²⁰⁰⁰ is 0 for a computer; its logarithm, −2000, is an ordinary number and can rise again.",
 )
 def weigh(log_weights, log_likelihoods):
@@ -172,7 +175,7 @@ def bank(rng):
         "`return sum(w * (P + np.outer(m - p @ means, m - p @ means)) for w, m, P in zip(p, means, covs))`",
     ],
     inputs=bank,
-    wrong=WRONG["mixture_cov"] | SLIPS["mixture_cov"] | THIRD["mixture_cov"],
+    wrong=WRONG["mixture_cov"] | SLIPS["mixture_cov"] | THIRD["mixture_cov"] | FOURTH["mixture_cov"],
     then=(
         "Where all means are equal nothing is left but the mean of the covariances; where they differ the joint "
         "belief is wider."
@@ -199,7 +202,9 @@ def mixture_cov(p, means, covs):
             "C",
             "R̂ and the NIS cannot tell it. But a third number is printed, and it differs between the two stretches.",
         ),
-    },
+    }
+    | FOURTH["moved_or_noisy"],
+    otherwise=NOISY,
     then="Noise that is nearly white does not correlate by 0.85. (Noise with a memory of several readings would; but the board is at rest later, and there the same sensor's noise is white.) A model that can turn, with a Q for turning, would have followed it.",
 )
 def moved_or_noisy():

@@ -4,6 +4,8 @@ import numpy as np
 
 from kflearn.exercises._bearings_only import WRONG
 from kflearn.exercises._hints import tried
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_fourth_words import REVIEW
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -58,6 +60,7 @@ def mended_bearing(east, north):
         ),
     },
     also=["Nothing is wrong", "nothing"],
+    otherwise=REVIEW,
     then="(d): the gradient of a bearing is (−north, east)/distance², per metre. Only the name in the code is wrong: `distance` is a square.",
 )
 def review():
@@ -72,7 +75,7 @@ def review():
         "In one line: `return np.radians(sd) ** 2`.",
     ],
     inputs=lambda rng: (float(rng.integers(1, 400) / 100),),
-    wrong=WRONG["bearing_variance"],
+    wrong=WRONG["bearing_variance"] | FOURTH["bearing_variance"],
     then="For 0.1° it is 3·10⁻⁶ rad². The published number describes a sensor of 2.4°, so the filter gives good readings far too little weight.",
 )
 def bearing_variance(sd):
@@ -163,9 +166,10 @@ def bearing_variance(sd):
             (3, -4),
             "North is right. East: relative it is 3 − 6 = −3; double that, and add our 6.",
         ),
-    },
+    }
+    | FOURTH["twin_velocity"],
     unit="m/s",
-    then="Every distance has such a twin. The twins separate only when we change our own velocity: by a turn, or by a change of speed.",
+    then="Every distance has such a twin. The twins separate only when we change our own velocity: by a turn, or by a change of speed; not along the line of sight alone.",
 )
 def twin_velocity():
     """The own velocity (east, north) of the target twice as far away that shows the same bearings."""

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._error_state_navigation import MORE
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -59,7 +60,8 @@ from kflearn.exercises.engine import exercise
         ),
     }
     | MORE["all_bias"]
-    | THIRD["all_bias"],
+    | THIRD["all_bias"]
+    | FOURTH["all_bias"],
     unit="m",
     also=[-27],  # with its sign
     then=(
@@ -145,7 +147,8 @@ def tunnel_mouths(rng):
         ),
     }
     | MORE["dark_time"]
-    | THIRD["dark_time"],
+    | THIRD["dark_time"]
+    | FOURTH["dark_time"],
     then=(
         "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
         "afterwards the bias."
@@ -259,7 +262,8 @@ def updated(x, dx, K, fix):
         ),
     }
     | MORE["mended_fix"]
-    | THIRD["mended_fix"],
+    | THIRD["mended_fix"]
+    | FOURTH["mended_fix"],
     then="As dx is zero now, F @ dx stays zero until the next fix: between two fixes only P must be predicted.",
 )
 def mended_fix(x, dx, K, fix):

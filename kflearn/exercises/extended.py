@@ -4,6 +4,8 @@ import numpy as np
 
 from kflearn.exercises import _two_humps
 from kflearn.exercises._extended import WRONG
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_fourth_words import WINNER
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._slips_third_filters import of_humps
 from kflearn.exercises._turns import in_turn
@@ -23,7 +25,7 @@ def believed_starts(rng, runs):
         "`return mean + normal * np.sqrt(np.diag(P0))` (one row a run; P0 is diagonal).",
     ],
     inputs=in_turn(believed_starts, 2, 3, 6, 1),
-    wrong=WRONG["true_starts"] | THIRD["true_starts"],
+    wrong=WRONG["true_starts"] | THIRD["true_starts"] | FOURTH["true_starts"],
     also=[lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0))],  # a Gaussian is symmetric
     fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},
     then="With starts like these the mean NEES before the first reading is 4, the number of states; with the published ones it is 0.",
@@ -45,7 +47,7 @@ def growth_beliefs(rng):
         "Swap two lines: first `F = move_slope(x)`, then `x = move(x, u)`, then P = F * P * F + 10.",
     ],
     inputs=growth_beliefs,
-    wrong=WRONG["mended_prediction"] | THIRD["mended_prediction"],
+    wrong=WRONG["mended_prediction"] | THIRD["mended_prediction"] | FOURTH["mended_prediction"],
     then="At x = 2 the slope is −2.5, at 0 it is 25.5, ten times as large. So it matters at which place the slope is taken.",
 )
 def mended_prediction(x, P, u):
@@ -71,6 +73,7 @@ def mended_prediction(x, P, u):
             "There was a difference at 30 m already, 3.6 m in the rms error, and the sag is eleven times as large now.",
         ),
     },
+    otherwise=WINNER,
     then="Over a thousand runs the rms error of the LKF is 51 m, that of the EKF 106 m. Nevertheless neither is good: with tangents at the truth it would be 37 m.",
 )
 def winner():

@@ -9,6 +9,7 @@ from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_belief import WRONG as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -51,7 +52,7 @@ def third_opinion():
         "`return mean_x + K * (mean_z - mean_x), var_x * (1 - K)`",
     ],
     inputs=two_opinions,
-    wrong=WRONG["fuse"] | SLIPS["fuse"] | MORE["fuse"],
+    wrong=WRONG["fuse"] | SLIPS["fuse"] | MORE["fuse"] | FOURTH["fuse"],
     then="Exchange the two opinions and the result is the same: the formula does not ask which of them came first.",
 )
 def fuse(mean_x, var_x, mean_z, var_z):

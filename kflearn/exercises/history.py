@@ -6,6 +6,7 @@ from kflearn.exercises._hints import is_about
 from kflearn.exercises._history import WRONG, wrong_letters
 from kflearn.exercises._slips_data import SLIPS as MORE
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -126,7 +127,10 @@ def gains_and_lengths(rng, n):
         "`w = K * (1 - K) ** np.arange(n)`, then `w[-1] = (1 - K) ** (n - 1)`, then `return w`",
     ],
     inputs=in_turn(gains_and_lengths, 2, 4, 3, 7, 1),
-    wrong=WRONG["exponential_weights"] | SLIPS["exponential_weights"] | MORE["exponential_weights"],
+    wrong=WRONG["exponential_weights"]
+    | SLIPS["exponential_weights"]
+    | MORE["exponential_weights"]
+    | FOURTH["exponential_weights"],
     then="They sum to 1 for every n; for n = 1 the single weight is 1, since the first reading is all there is.",
 )
 def exponential_weights(K, n):
@@ -195,7 +199,8 @@ def exponential_weights(K, n):
         ),
     }
     | MORE["behind"]
-    | THIRD["behind"],
+    | THIRD["behind"]
+    | FOURTH["behind_28"],
     unit="s",
     then="With twice the gain it would trail by 0.38 s only, but it would follow the noise more. Lesson 6 weighs one against the other.",
 )

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises import _false_range
 from kflearn.exercises._homing_missile import WRONG
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -25,7 +26,7 @@ def errors_on_the_way(rng):
         "`b = -(e + v * t0) / (2 * t0**3)`, then `a = e / t0 - b * t0**2`, then `return a * t + b * t**3`.",
     ],
     inputs=errors_on_the_way,
-    wrong=WRONG["left_over"],
+    wrong=WRONG["left_over"] | FOURTH["left_over"],
     then="An error at rest (v = 0) of 100 m with 3 s to go is 48 m with 1 s to go, with no reading at all: that is the artefact.",
 )
 def left_over(e, v, t0, t):
@@ -146,7 +147,8 @@ def memory(lasts, sd, dt):
             "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
         ),
     }
-    | THIRD["start_sigma"],
+    | THIRD["start_sigma"]
+    | FOURTH["start_sigma"],
     unit="m",
     rtol=3e-3,
     then="Its square is the mean of the three squared errors. And one start proves little: NEES of a single start may be anything from 0.2 to 9.",

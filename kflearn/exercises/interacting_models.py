@@ -5,6 +5,8 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import after
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_fourth_words import PUSH
 from kflearn.exercises._slips_models import MORE
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
@@ -55,12 +57,10 @@ from kflearn.exercises.engine import exercise
             "900 m² is the variance of one Gaussian. What is missing is the squared distance to the blend's mean, and then the root.",
         ),
     }
-    | MORE["blended_sigma"],
+    | MORE["blended_sigma"]
+    | FOURTH["blended_sigma"],
     unit="m",
-    then=(
-        "The blend of two that disagree is wider than either of them: 50 m. Fusing them, as two opinions that are both"
-        " right, would have given 21.2 m."
-    ),
+    then="The blend of two that disagree is wider than either of them: 50 m. Fusing them, as two opinions that are both right, would have given 21.2 m.",
 )
 def blended_sigma():
     """The σ of the blend of two equally probable Gaussians, 0 m and 80 m, each with σ = 30 m."""
@@ -288,6 +288,7 @@ def mended_start(z, T):
             "Mending does no harm here either: G enters only by Q = G q Gᵀ, and for this model q = 0.",
         ),
     },
+    otherwise=PUSH,
     then=(
         "The straight model has q = 0, so Q = G · 0 · Gᵀ is zero with either G. The fault shows as soon as "
         "somebody gives this model a q."

@@ -7,6 +7,7 @@ from kflearn.exercises._hints import of_choice
 from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
+from kflearn.exercises._slips_fourth import MYSTERIES
 from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_third import MYSTERY, of_interval
@@ -82,7 +83,7 @@ def nees(e, P):
         ),
     }
     | THIRD["mystery"],
-    otherwise=MYSTERY,
+    otherwise=lambda answer: MYSTERY(answer) or MYSTERIES(answer),
     then="NIS below 2 says that the filter claims too large an error; the minus sign, that its gain is too large. "
     "Of the four, only a Q that is too large does both.",
 )

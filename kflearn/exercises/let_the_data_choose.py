@@ -5,6 +5,7 @@ import numpy as np
 from kflearn import fit, random_walk
 from kflearn.exercises import _fitted_R
 from kflearn.exercises._let_the_data_choose import WRONG
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -27,7 +28,7 @@ def near_the_density(answer):
         "S = 5, so 2πS = 31.42 and its logarithm is 3.447. The NIS is y²/S = 1.8.",
         "`-0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)`",
     ],
-    wrong=WRONG["one_reading"],
+    wrong=WRONG["one_reading"] | FOURTH["one_reading"],
     otherwise=near_the_density,
     then="A reading exactly as expected, y = 0, would have −1.72. The largest value there can be falls as S grows: a wide claim costs.",
 )
@@ -67,7 +68,7 @@ def log_likelihood(y, S):
         "The derivative with respect to R is −½·4/R² + 1/R. Where is it zero?",
         "½·4/R² = 1/R gives R = 2.",
     ],
-    wrong=WRONG["half_missing"] | THIRD["half_missing"],
+    wrong=WRONG["half_missing"] | THIRD["half_missing"] | FOURTH["half_missing"],
     unit="",
     then="A σ of 1.41 in place of 2, with no error message and a search that says it converged. Only the mean NIS shows it: it is 2.",
 )

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises._impossible_units import wrong_choices
 from kflearn.exercises._newton_to_state_space import WRONG, first_wrong_row
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_start import WRONG as MORE
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
@@ -23,7 +24,7 @@ def steps_masses_and_drags(rng):
         "`F = np.array([[1, dt - c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]])`, then `return F, np.array([[dt**2 / 2], [dt]]) / mass`",
     ],
     inputs=steps_masses_and_drags,
-    wrong=WRONG["motion"] | MORE["motion"] | THIRD["motion"],
+    wrong=WRONG["motion"] | MORE["motion"] | THIRD["motion"] | FOURTH["motion"],
     then="With c = 0 it is the lesson's cart. Unlike (3), this F is not exact: the drag changes during the step, so dt must be short beside m/c.",
 )
 def motion(dt, mass, c):
@@ -141,7 +142,8 @@ def motion(dt, mass, c):
             "The tapes are right. The speedometer does not see the position: its first entry is 0.",
         ),
     }
-    | THIRD["three_sensors"],
+    | THIRD["three_sensors"]
+    | FOURTH["three_sensors"],
     otherwise=first_wrong_row,
     then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._hints import tried
 from kflearn.exercises._slips_digits import WRONG as MORE
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -99,7 +100,8 @@ def corrections(rng):
             "The first half is right. Only K times the reading's error comes in, so its variance counts as K²R.",
         ),
     }
-    | MORE["average_nees"],
+    | MORE["average_nees"]
+    | FOURTH["average_nees"],
     then="With the best gain K = P/(P + R) the numerator is (1 − K)P again. If the filter claims just this, the NEES is 1.",
 )
 def average_nees(P, K, R, claim):
@@ -163,7 +165,8 @@ def average_nees(P, K, R, claim):
         ),
     }
     | MORE["orders_of_the_root"]
-    | THIRD["orders_of_the_root"],
+    | THIRD["orders_of_the_root"]
+    | FOURTH["orders_of_the_root"],
     then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):
@@ -271,7 +274,8 @@ def smaller(first, second):
         ),
     }
     | MORE["posterior"]
-    | THIRD["posterior"],
+    | THIRD["posterior"]
+    | FOURTH["posterior"],
     then="The traces tell because a reading never makes a variance larger, whatever H and R are. A prediction may do so.",
 )
 def posterior(one, two):

@@ -6,9 +6,10 @@ from kflearn import angle_difference
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
 from kflearn.exercises._readings_that_lie import WRONG
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_gates import WRONG as MORE
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
-from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording
+from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording, sorts_raw
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
@@ -63,7 +64,7 @@ def openings(rng):
     inputs=openings,
     rtol=1e-9,
     wrong=WRONG["steps_shut"] | MORE["steps_shut"],
-    then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
+    then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after about 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
 def steps_shut(away, P, Q, R):
     """In which step after the change does a gate of 3σ let the new speaker in, who is `away` degrees from the estimate?
@@ -86,7 +87,7 @@ def refusals(rng, n):
         "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
     ],
     inputs=in_turn(refusals, 2, 5, 3, 8),
-    wrong=WRONG["agreeing"] | MORE["agreeing"] | THIRD["agreeing"],
+    wrong=WRONG["agreeing"] | MORE["agreeing"] | THIRD["agreeing"] | FOURTH["agreeing"],
     then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
 )
 def agreeing(refused, reading, width):
@@ -159,6 +160,7 @@ def gated_step(x, P, reading, Q, R):
             unit="°",
         ),
     ],
+    signs=[sorts_raw],
     form=series,
     passing=PASSING,
     failing=FAILING,

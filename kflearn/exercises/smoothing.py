@@ -4,6 +4,8 @@ import numpy as np
 
 from kflearn.exercises._hints import after
 from kflearn.exercises._slips_data import SLIPS
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_fourth_words import GAP
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._smoothing import WRONG
 from kflearn.exercises.engine import exercise
@@ -149,7 +151,7 @@ def steps_back(rng):
         "`return x + G @ (x_next - F @ x), P + G @ (P_next - P_pred) @ G.T`",
     ],
     inputs=steps_back,
-    wrong=WRONG["step_back"] | SLIPS["step_back"] | THIRD["step_back"],
+    wrong=WRONG["step_back"] | SLIPS["step_back"] | THIRD["step_back"] | FOURTH["step_back"],
     then=(
         "No reading stands in these lines: the smoother uses only what the filter has stored, so the readings may "
         "be thrown away after the filter has run."
@@ -229,7 +231,9 @@ def count_once(x, P, x_back, P_back, z, R):
             "C",
             "The difference has a minus: the smoother's error is the smaller one, by about two standard errors.",
         ),
-    },
+    }
+    | FOURTH["real_gap"],
+    otherwise=GAP,
     then="Both errors contain the noise of the hidden readings, σ = 0.32 ppm, which no method can remove. Without it about 0.23 ppm are left for the smoother and 0.29 for the line: a fifth less. In six weeks the air changes nearly along a straight line.",
 )
 def real_gap():

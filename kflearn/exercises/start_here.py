@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import is_about
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_start import WRONG as SLIPS
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._start_here import WRONG
@@ -35,7 +36,8 @@ from kflearn.exercises.engine import exercise
         "the smallest": (61, "61 is the smallest reading. The mean uses all three."),
     }
     | SLIPS["three_readings"]
-    | THIRD["three_readings"],
+    | THIRD["three_readings"]
+    | FOURTH["three_readings"],
     unit="m",
     otherwise=lambda mean: (
         f"Your answer is {'too high' if mean > 63 else 'too low'}: three readings with this mean add up to {3 * mean:.6g} m. What do 61, 62 and 66 m add up to?"

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn import rmse
 from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_rooms import WRONG as MORE
 from kflearn.exercises._slips_third_filters import SUSPECT
@@ -54,7 +55,7 @@ def days(rng, count):
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
     inputs=in_turn(days, 3, 6, 4, 2, 9),
-    wrong=WRONG["room_filter"] | MORE["room_filter"],
+    wrong=WRONG["room_filter"] | MORE["room_filter"] | FOURTH["room_filter"],
     then="A start at x = 0 with P = 10⁶ and a loop over all readings would give nearly the same: from so vague a start, the first correction makes x the first reading and P nearly R.",
 )
 def room_filter(z, Q, R):
@@ -119,7 +120,7 @@ def draws(rng, steps):
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
     inputs=in_turn(draws, 3, 5, 2, 1, 6),
-    wrong=WRONG["noise"] | SLIPS["noise"] | MORE["noise"],
+    wrong=WRONG["noise"] | SLIPS["noise"] | MORE["noise"] | FOURTH["noise"],
     fixed={"Q": "height and velocity are two states, so Q is always two by two"},
     then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
 )
@@ -144,7 +145,7 @@ def published_falls(rng, T):
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
     inputs=in_turn(published_falls, 6, 8, 7, 10),
-    wrong=_falling_report.WRONG["honest_report"] | MORE["honest_report"],
+    wrong=_falling_report.WRONG["honest_report"] | MORE["honest_report"] | FOURTH["honest_report"],
     fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
     then="Always print the error of ignoring all readings beside that of the filter. The published report leaves it out.",
 )

@@ -9,6 +9,7 @@ from kflearn.exercises._cart_seen import look
 from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, honest_at_first, honest_where_fine, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._slips_train import WRONG as MORE
 from kflearn.exercises._train_and_ship import WRONG
@@ -37,7 +38,7 @@ def speeds(rng):
     ],
     inputs=speeds,
     rtol=5e-3,  # a mean over many values between the limits is right as well
-    wrong=WRONG["start_variance"] | MORE["start_variance"],
+    wrong=WRONG["start_variance"] | MORE["start_variance"] | FOURTH["start_variance"],
     then="If the filter starts in the middle of the range, only (high − low)²/12 is left. For 0 to 10 m/s this is a speed of 5 m/s with σ = 2.9 m/s.",
 )
 def start_variance(low, high, believed):
@@ -168,7 +169,8 @@ def report(errors):
         ),
     }
     | MORE["data_sheet"]
-    | THIRD["data_sheet"],
+    | THIRD["data_sheet"]
+    | FOURTH["data_sheet"],
     then="The same receiver could print 7.2 m (rms), 6.4 m (mean) or 12.5 m (95 %): always ask which of them a sheet means.",
 )
 def data_sheet():
@@ -191,7 +193,7 @@ def two_fixes(rng):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong=_two_fixes.WRONG["two_point_start"] | MORE["two_point_start"],
+    wrong=_two_fixes.WRONG["two_point_start"] | MORE["two_point_start"] | FOURTH["two_point_start"],
     then="Half the dt makes the σ of the speed twice as large. So two fixes further apart make the better start, as long as Q may be left out.",
 )
 def two_point_start(z0, z1, dt, R):

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kflearn.exercises._slips_fourth import stretched
 from kflearn.exercises._slips_steps import WRONG as SLIPS
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._two_numbers import WRONG
@@ -79,6 +80,7 @@ def told_speed():
     ],
     inputs=lambda rng: (float(rng.choice([0.1, 0.39, 0.5, 0.68, 0.8, 0.86, 0.9, 0.95, 0.99, 0.999])),),
     wrong=WRONG["scale_for"] | SLIPS["scale_for"],
+    otherwise=stretched,
     then="For 95 % k is 2.45. With m numbers, tied or not, k² is the chi-square quantile with m degrees of freedom: `scipy.stats.chi2.ppf(share, m)`.",
 )
 def scale_for(share):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_points import MORE
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises.engine import exercise
@@ -64,7 +65,8 @@ def image(degrees):
             "That is the mean along the x-axis, or a mean of differences. The y-axis was asked for: 100 sin θ.",
         ),
     }
-    | MORE["three_points"],
+    | MORE["three_points"]
+    | FOURTH["three_points"],
     unit="m",
     rtol=1e-4,
     then=(
@@ -279,7 +281,7 @@ def redrawn(mean, P, Q, scale):
     | THIRD["start_nees"],
     rtol=4e-4,  # 0.06 and 0.05994 are two mistakes
     then=(
-        "The claimed variance is too large by a factor of 6/0.042, about 143. A NEES far below its band shows that,"
+        "The claimed variance is too large, by a factor of 100 or 1000; in the NEES together by 6/0.042, about 143. A NEES far below its band shows that,"
         " while the error alone looks excellent."
     ),
 )

@@ -9,6 +9,7 @@ from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
 from kflearn.exercises._slips_balance import WRONG as LATER
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
+from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._voltmeter import WRONG
 from kflearn.exercises._voltmeter_start import WRONG as MORE
@@ -25,7 +26,7 @@ from kflearn.exercises.engine import exercise, judged
         "Before the second reading P has grown from 2 to 2 + Q.",
         "K = 5 / (5 + 9).",
     ],
-    wrong=WRONG["second_gain"] | LATER["second_gain"],
+    wrong=WRONG["second_gain"] | LATER["second_gain"] | FOURTH["second_gain"],
     otherwise=lambda K: (
         f"A gain of {K:.3g} would need P⁻ = {9 * K / (1 - K):.3g} V² beside R = 9 V². What is P⁻ before the second reading?"
         if 0 < K < 1

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises import _a_stream
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._when_was_it import OTHER_WAYS, WRONG, of_no_table
 from kflearn.exercises.engine import exercise, judged
@@ -15,7 +16,7 @@ from kflearn.exercises.engine import exercise, judged
         "The distance is speed times time, in m/s and s: 54 km/h is 15 m/s.",
         "In 0.24 s the bus drives on by 15 · 0.24 m. The reading lies behind it by that much, so `-15 * 0.24`",
     ],
-    wrong=WRONG["behind"],
+    wrong=WRONG["behind"] | FOURTH["behind_25"],
     otherwise=of_no_table,
     unit="m",
     then="A receiver whose own error is 1 m is off by more than three of its σ, always in the same direction, and no mean over readings removes it.",
@@ -44,7 +45,7 @@ def two_speeds(rng, T):
         "`found = [np.corrcoef(v[: len(v) - j], late[j:])[0, 1] for j in range(11)]`, then `np.argmax(found) * dt`",
     ],
     inputs=in_turn(two_speeds, 60, 40, 90),
-    wrong=WRONG["clock_offset"],
+    wrong=WRONG["clock_offset"] | FOURTH["clock_offset"],
     also=OTHER_WAYS,
     then="Speeds serve better than places: a place has no sharp features, and its correlation is near 1 at every shift.",
 )
@@ -78,7 +79,7 @@ def which_step():
     recording=_a_stream.stream,
     marks=_a_stream.MARKS,
     form=track(2),
-    then="Put your class into a file of its own, with a test that hands in the same readings in two orders: both must give the same belief.",
+    then="Put your class into a file of its own, with a test that hands in the same readings in two orders: with a replay both must give the same belief.",
     passing=_a_stream.PASSING,
     failing=_a_stream.FAILING,
     signs=_a_stream.SIGNS,

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn import Gaussian, boats, pda_filter
 from kflearn.exercises._a_boat import FAILING, PASSING, SIGNS, lost_share, not_exact, places, recording, typical
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._whose_is_it import WRONG
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -24,7 +25,7 @@ def of_the_area(answer):
         "The determinant of S is 36 · 25, so its root is 30 m². The area is π · 9.21 · 30.",
         "`np.pi * 9.21 * np.sqrt(36 * 25) * 0.0005`",
     ],
-    wrong=WRONG["false_in_gate"],
+    wrong=WRONG["false_in_gate"] | FOURTH["false_in_gate"],
     otherwise=of_the_area,
     then="With a Poisson number of mean 0.43 a scan has no false reading in the gate in 65 of 100 cases, e^−0.43. In the "
     "other 35 a tracker can go wrong.",
@@ -53,7 +54,7 @@ def scans(rng, N):
         "`e = np.append(b, np.where(nis <= 6.635, np.exp(-nis / 2), 0))`, and `return e / e.sum()`",
     ],
     inputs=in_turn(scans, 1, 4, 2, 7),
-    wrong=WRONG["weights"],
+    wrong=WRONG["weights"] | FOURTH["weights"],
     then="Where no reading is in the gate the first weight is 1: the filter predicts and does not correct.",
 )
 def weights(z, expected, S, detection, clutter):
@@ -70,7 +71,7 @@ def weights(z, expected, S, detection, clutter):
         "A zero is cheaper than every real NIS. There is one in each row, and they are in different columns.",
         "The dash of track A is at reading 2, that of track B at reading 3: the sum is 0. `[2, 3]`",
     ],
-    wrong=WRONG["zeros"],
+    wrong=WRONG["zeros"] | FOURTH["zeros"],
     rtol=1e-9,
     then="Both tracks get a reading that the gate had refused. Forbidden pairs must be infinite, or so large that no sum of real ones comes near.",
 )
@@ -92,7 +93,7 @@ def zeros():
             "recordings whose boat is lost at the end (more than 40 m away)",
             lost_share,
             high=20,
-            above="A filter that takes one of several near readings as certain is led away, and cannot know it: is each weighed? And is Q large enough for a boat that turns?",
+            above="Is each reading in the gate weighed, is the gate wide enough (0.99), and Q large enough for a boat that turns? Are x and y numbers 0 and 2 of the state, in H too?",
             unit="%",
         ),
         Mark(

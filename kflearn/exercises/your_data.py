@@ -8,6 +8,7 @@ from kflearn.exercises import _a_ride, _a_ride_signs
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_data import SLIPS
+from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._your_data import WRONG
 from kflearn.exercises.engine import exercise, judged
@@ -101,7 +102,8 @@ LOW, HIGH = chi_square_interval(1, 40)
         ),
     }
     | SLIPS["interval_of_R"]
-    | THIRD["interval_of_R"],
+    | THIRD["interval_of_R"]
+    | FOURTH["interval_of_R"],
     unit="m²",
     rtol=3e-3,
     then=(
@@ -177,7 +179,8 @@ def interval_of_R():
         ),
     }
     | SLIPS["milliseconds_for_seconds"]
-    | THIRD["milliseconds_for_seconds"],
+    | THIRD["milliseconds_for_seconds"]
+    | FOURTH["milliseconds_for_seconds"],
     unit="m²/s³",
     then=(
         "The card cannot tell, because Q is the same; but q says what can happen within one of its “seconds”, and "
@@ -217,7 +220,7 @@ def gappy(rng):
         "`return np.diff(time[~np.isnan(z)])`",
     ],
     inputs=gappy,
-    wrong=WRONG["clock"] | THIRD["clock"],
+    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"],
     then=(
         "The sum of the steps is the time from the first reading to the last: a check worth having in every "
         "program that reads a clock."

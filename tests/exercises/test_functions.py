@@ -189,7 +189,7 @@ def test_a_loop_that_never_ends_is_stopped(monkeypatch):
 
     outcome = correct.check(loops)
     assert outcome.status == "raised"
-    assert "It was stopped after" in outcome.text and "does a loop never end?" in outcome.text
+    assert "It was stopped after" in outcome.text and "Does a loop never end?" in outcome.text
     assert sum(range(1000)) == 499_500  # nothing is raised later
 
 
