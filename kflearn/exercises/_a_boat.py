@@ -185,7 +185,7 @@ def observed(answer, answers, recordings):
 
 def small_gate(answer, answers, recordings):
     """A gate that refuses the boat's own readings."""
-    found = re.search(r"gate *= *(0?\.\d+)", _code_of.text_of(answer) or "")
+    found = re.search(r"pda_filter\(.*?gate *= *(0?\.\d+)", _code_of.text_of(answer) or "", re.DOTALL)
     if found and float(found[1]) < 0.97:
         part = 100 - 100 * float(found[1])
         return f"Your gate is too small: it refuses {part:.3g} of 100 of the boat's own readings. The weights keep false ones low, so the gate can be wide: 0.99."
@@ -199,4 +199,4 @@ def takes_the_nearest(answer, answers, recordings):
     return None
 
 
-SIGNS = (used_none, is_the_mean, is_a_reading, other_columns, observed, small_gate, takes_the_nearest)
+SIGNS = (used_none, is_the_mean, is_a_reading, other_columns, observed, takes_the_nearest, small_gate)

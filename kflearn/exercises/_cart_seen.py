@@ -24,7 +24,7 @@ def white(Q, dt, sd):
 PUSH = "an acceleration a, held for dt, moves the position by a·dt²/2 and the speed by a·dt."
 SEEN = [
     (lambda Q, dt, sd: 0 * Q, "In the gaps P moves with F but gains no Q: add it in each prediction."),
-    (lambda Q, dt, sd: Q / sd, "In the gaps P grows by sd times G Gᵀ; Q is a covariance: sd². (R and the start's P want sigma² as well.)"),
+    (lambda Q, dt, sd: Q / sd, "In the gaps P grows by sd times G Gᵀ; Q is a covariance: sd²."),
     (lambda Q, dt, sd: Q / sd**2, "In the gaps P grows by G Gᵀ alone; sd is missing in your Q."),
     (lambda Q, dt, sd: Q / dt**2, "In the gaps Q lacks a factor: an acceleration a, held for dt, adds a·dt to the speed."),
     (white, "In the gaps Q is that of white noise, new at every instant. Here the acceleration is held for the whole step."),
@@ -102,6 +102,13 @@ def anew(answers, recordings):
     return None
 
 
+def of_sigma(answers, recordings):
+    """What is said beside, where the first P holds sigma in place of its square."""
+    firsts = zip(answers, recordings, strict=True)
+    once = all(abs(pair(a)[1][0, 0, 0] - sigma) < 1e-6 * sigma for a, ((*_, sigma), _) in firsts)
+    return " And at the first reading your P holds sigma: its square is wanted, there and for R." if once else ""
+
+
 def of_Q(answers, recordings):
     """The Q in the gaps, where it has a name."""
     grown = [growth(*each) for each in zip(answers, recordings, strict=True)]
@@ -109,7 +116,7 @@ def of_Q(answers, recordings):
         if all(
             np.allclose(Q, form(right, dt, sd), rtol=1e-3, atol=1e-6 * abs(right).max()) for Q, right, dt, sd in grown
         ):
-            return words
+            return words + of_sigma(answers, recordings)
     Qs = np.array([Q for Q, *_ in grown])
     if np.ptp(Qs, axis=0).max() < 1e-6 * abs(Qs).max():
         return "In the gaps P grows by the same Q in every recording. Here each cart has its own: Q = sd² G Gᵀ, and G has dt in it."

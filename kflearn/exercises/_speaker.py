@@ -128,7 +128,7 @@ def sorts_raw(answer, answers, recordings):
     """A median of bearings as plain numbers."""
     text = _code_of.text_of(answer) or ""
     if re.search(r"median\(z\[", text) and not re.search("wrap|angle_diff|exp|sin|360", text):
-        return "You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. And the first readings may be an echo: what do the first fifteen together say?"
+        return "You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. And what do the first fifteen together say? They may begin with an echo."
     return None
 
 

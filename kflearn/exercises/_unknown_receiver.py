@@ -90,6 +90,23 @@ def roots(covs):
         return False
 
 
+def of_Q_or_many_R(covs):
+    """What is said where no single R explains a recording: another Q, or an R for each reading."""
+    factors = [used_Q(cov) for cov in covs]
+    if None not in factors and any(abs(factor - 1) > 0.05 for factor in factors):
+        return (
+            f"In recording 1 your P grows in each prediction by {factors[0]:.2g} times the Q that is given. "
+            "Only R is unknown: Q stays as it is, and P is not scaled."
+        )
+    low, high = np.quantile(used_R(covs[0], F, Q, np.eye(1, 2)), [0.1, 0.9])
+    if high > 5 * low > 0:
+        return (
+            f"In recording 1 your R changes from reading to reading; it is mostly between {low:.3g} and {high:.3g} m². "
+            "One innovation says little: find one R from the whole recording."
+        )
+    return None
+
+
 def named(answers, recordings):
     """What a filter does that can be seen in its covariances: a start, a Q or an R that are not right; else None."""
     covs = [pair(answer)[1] for answer in answers]
@@ -103,19 +120,7 @@ def named(answers, recordings):
         return "You return the root of P. Return P itself: it holds variances, and its root is no covariance."
     Rs = [one_R(gained(cov)) for cov in covs]
     if any(R is None for R in Rs):
-        factors = [used_Q(cov) for cov in covs]
-        if None not in factors and any(abs(factor - 1) > 0.05 for factor in factors):
-            return (
-                f"In recording 1 your P grows in each prediction by {factors[0]:.2g} times the Q that is given. "
-                "Only R is unknown: Q stays as it is, and P is not scaled."
-            )
-        low, high = np.quantile(used_R(covs[0], F, Q, np.eye(1, 2)), [0.1, 0.9])
-        if high > 5 * low > 0:
-            return (
-                f"In recording 1 your R changes from reading to reading; it is mostly between {low:.3g} and {high:.3g} m². "
-                "One innovation says little: find one R from the whole recording."
-            )
-        return None
+        return of_Q_or_many_R(covs)
     first = [np.linalg.inv(cov[0]) - np.linalg.inv(F @ COV @ F.T + Q) for cov in covs]
     if not all(abs(each[0, 0] * R - 1) < 0.05 and abs(each[1, 1]) < 1e-4 for each, R in zip(first, Rs, strict=True)):
         return (

@@ -83,6 +83,11 @@ def one_Q(z, dt, sd, sigma):
     )
 
 
+def no_squares(z, dt, sd, sigma):
+    start = np.array([z[0], 0]), np.diag([sigma, 9])
+    return cart.run(z, cart.motion(dt, sd)[0], cart.motion(dt, sd)[1] / sd, sigma, *start)
+
+
 def two_gains(z, F, Q, mean, cov):
     """R is learnt for the mean, and P goes on with that of the data sheet."""
     x, P, squares, rows = mean, cov, [], []
@@ -167,6 +172,7 @@ def offset(v, late, dt):
 OPEN = [
     ("train_and_ship.cart_with_gaps", anew_after_a_gap, "At the first reading after a gap you start anew"),
     ("train_and_ship.cart_with_gaps", one_Q, "the same Q in every recording"),
+    ("train_and_ship.cart_with_gaps", no_squares, "its square is wanted, there and for R"),
     ("adaptive.unknown_sensor", two_gains, "Use the same R, the learnt one, in both"),
     ("your_data.ride", from_the_last_good_one, "mostly many in a row"),
     ("is_the_filter_honest.unknown_sensor", changing, "your R changes from reading to reading"),
