@@ -235,7 +235,7 @@ MISTAKES = [
     ),
     (
         lambda *given: converted(*given, R=25 * np.eye(2), turned=False),
-        "Your readings are good to 5 m in all directions. Across the line of sight they are good to 0.02·r: turn R into the plane, J R Jᵀ, exercise 3.",
+        "Your R says that a place is read to 5 m in all directions. Across the line of sight it is 0.02·r: turn R into the plane, J R Jᵀ, exercise 3.",
     ),
     (
         lambda *given: converted(*given, R=np.diag([5.0, 0.02])),
