@@ -69,6 +69,7 @@ def _rivals(z, rows):
 def _against(hidden, name, guess):
     """How often the filter is nearer to a hidden reading than a rival."""
     ours, theirs = abs(hidden.miss), abs(hidden.z - guess)
-    both = ~np.isnan(ours) & ~np.isnan(theirs) & ~np.isclose(ours, theirs, rtol=1e-9, atol=0)
+    rounding = 1e-9 * np.maximum(abs(hidden.z), abs(guess))  # two forecasts may differ by it alone
+    both = ~np.isnan(ours) & ~np.isnan(theirs) & (abs(ours - theirs) > rounding)
     share = float(np.mean((ours < theirs)[both])) if both.any() else 0.0
     return Forecast(f"nearer than {name}", share, int(both.sum()), 0.5, True)

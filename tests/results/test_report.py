@@ -210,3 +210,16 @@ def test_a_first_row_with_a_gap():
 
 def test_what_counts_as_an_outlier():
     assert pytest.approx(chi2.ppf(0.999, 1), abs=5e-4) == held_back.FAR
+
+
+def test_forecasts_that_differ_by_rounding_alone_are_not_compared():
+    """A filter whose forecast is the last reading is neither nearer than it nor farther."""
+    z = np.round(300 + np.cumsum(np.random.default_rng(3).normal(0, 0.5, (400, 1)), axis=0), 1)
+    model = LinearModel([[1]], [[1]], [[0.3]], [[1e-12]])
+    card = report_card(
+        z,
+        np.zeros(len(z), bool),
+        lambda z: (model, kalman_filter(model, z[1:], Gaussian(z[0], [[1e-12]]))),
+    )
+    (against,) = [test for test in card.tests if test.what == "nearer than last reading"]
+    assert against.passed is None and against.count == 0
