@@ -12,6 +12,7 @@ from dev.lessons import lessons
 
 ROOT = Path(__file__).parents[2]
 LESSONS = lessons()
+COMMAND = "kflearn/lessons/"  # `kflearn open` starts JupyterLab
 MODULES = {"pickle", "marshal", "shelve", "dill", "joblib", "code", "runpy", "pty"}  # text or data made into code
 OUTSIDE = {"subprocess", "socket", "urllib", "requests", "http", "asyncio.subprocess", "ctypes", "multiprocessing"}
 NAMES = {"eval", "exec", "compile", "__import__", "get_ipython"}
@@ -66,16 +67,15 @@ def code_cells(path):
 
 def read_code():
     lessons = {f"{path.name} cell {i}": cell for path in LESSONS for i, cell in enumerate(code_cells(path))}
-    package = {
-        str(path.relative_to(ROOT)): path.read_text("utf-8") for path in sorted((ROOT / "kflearn").rglob("*.py"))
-    }
-    folders = "", "dev/", "dev/teaching/", "dev/web/", "dev/bench/", "class/"  # dev/hard plays the attacker
-    paths = sorted(path for folder in folders for path in ROOT.glob(f"{folder}*.py"))
+    folders = "", "dev/", "dev/teaching/", "dev/web/", "dev/bench/", "class/", COMMAND
+    paths = sorted(path for folder in folders for path in ROOT.glob(f"{folder}*.py"))  # dev/hard plays the attacker
     tools = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in paths}
+    paths = sorted({*(ROOT / "kflearn").rglob("*.py")} - {*paths})
+    package = {str(path.relative_to(ROOT)): path.read_text("utf-8") for path in paths}
     for what, sources, modules in (
         ("lessons: shell, process, network, unpickling, eval", lessons, MODULES | OUTSIDE),
         ("kflearn: the same", package, MODULES | OUTSIDE),
-        ("dev, class server: shell, unpickling, eval", tools, MODULES),
+        ("dev, class server, command: shell, unpickling, eval", tools, MODULES),
     ):
         found = [f"{fault} in {place}" for place, source in sources.items() for fault in faults(source, modules)]
         yield none(what, found, f"{len(sources)} {'cells' if sources is lessons else 'files'}")
