@@ -109,7 +109,7 @@ WHY = {
     "GPS: 1,000 x 80$": "the ratio depends on the processor: on another one, the same day, it was 777",
     "velocity: 1 x 100,000$": "the ratio depends on the processor: on another one, the same day, it was 357",
     "key": "the kernel's own time is a tenth of it; the rest is Jupyter's and the browser's, on two processors",
-    "kernel's milliseconds": "several programs share two processors in this run; most of it is the filter over 200 steps",
+    "kernel's milliseconds": "several programs share two processors here; most of it is the filter over 200 steps",
     "pictures for each movement": "it follows from the kernel's time: two requests at most are under way",
 }
 
