@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import kflearn
+from kflearn import ui
 
 ROOMS = {
     "models": "Models and beliefs",
@@ -40,14 +41,12 @@ def pages(lessons):
     """{file name: text} of all pages; lessons: paths of the notebooks that are linked to."""
     used, made = where_used(lessons), {}
     for room, title in ROOMS.items():
-        if names := public(room):
-            lead = f"What `kflearn` gives for this: {', '.join(names)}."
-            parts = [f"# {title}", lead, *(entry(room, name, used.get(name, [])) for name in names)]
-            made[f"api-{room}.md"] = "\n\n".join(parts) + "\n"
+        names = public(room)
+        lead = f"What `kflearn` gives for this: {', '.join(names)}."
+        parts = [f"# {title}", lead, *(entry(name, used.get(name, [])) for name in names)]
+        made[f"api-{room}.md"] = "\n\n".join(parts) + "\n"
     rooms = "\n".join(
-        f"- [{ROOMS[room]}](api-{room}.md): " + ", ".join(map(link, public(room)))
-        for room in ROOMS
-        if f"api-{room}.md" in made
+        f"- [{title}](api-{room}.md): {', '.join(map(link, public(room)))}" for room, title in ROOMS.items()
     )
     table = "\n".join(map(row, kflearn.FILTERS))
     return {"api.md": HEAD.format(version=kflearn.__version__, rooms=rooms, table=table)} | made
@@ -91,22 +90,15 @@ def home(thing):
     return name.split(".")[1]
 
 
-def entry(room, name, lessons):
+def entry(name, lessons):
     """The part of a page on one name."""
-    thing = getattr(kflearn, name, None) or getattr(ui(), name)
+    thing = getattr(kflearn, name, None) or getattr(ui, name)
     kind = "module" if inspect.ismodule(thing) else "class" if inspect.isclass(thing) else "function"
     members = {"module": "\n   :members:\n   :exclude-members: RecordingError", "class": "\n   :members:"}.get(kind, "")
     how = f".. auto{kind}:: {place(name)}{members}"
     links = ", ".join(f"[{int(path.name[:2])}]({path.name})" for path in lessons)
     note = f"\n\nIn lessons {links}." if links else ""
     return f"## {name}\n\n```{{eval-rst}}\n{how}\n```{note}"
-
-
-def ui():
-    """The room of pictures, which is opened only when it is asked for."""
-    from kflearn import ui
-
-    return ui
 
 
 def where_used(lessons):

@@ -26,7 +26,7 @@ class Navigation(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
-        if tag == "a" and "reference internal" in (attributes.get("class") or "").strip():
+        if tag == "a" and "reference internal" in (attributes.get("class") or ""):
             name = attributes.get("href", "").partition("#")[0]
             self._leads = name if name.endswith(".html") and name not in dict(self.pages) else None
 

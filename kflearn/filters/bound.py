@@ -10,7 +10,7 @@ from .steps import at_step
 
 
 def cramer_rao_bound(model, x, initial, u=None, z=None) -> np.ndarray:
-    """The covariance below which no unbiased filter can come on average, at each step.
+    """The covariance below which no filter can come on average, at each step.
 
     The information J is followed along true states: what the readings add is the mean of HᵀR⁻¹H over the runs, with
     the slope H at the true state. For a linear model the bound is the P of the Kalman filter.
@@ -20,9 +20,10 @@ def cramer_rao_bound(model, x, initial, u=None, z=None) -> np.ndarray:
     model : LinearModel or NonlinearModel
         With n states.
     x : array_like (T, n) or (runs, T, n)
-        True states, as of `simulate`. One run: the bound along this path, the P of an extended filter whose slopes are
-        taken at the truth. Many runs: their mean information. It is a bound on the mean over all that may happen, but
-        where each run hides another direction it can lie far below what is possible; then compute each run's alone.
+        True states, as of `simulate`. One run: the bound along this path for estimates without bias, the P of an
+        extended filter whose slopes are taken at the truth. Many runs: their mean information. It is a bound on the
+        mean over all that may happen, but where each run hides another direction it can lie far below what is possible;
+        then compute each run's alone.
     initial : Gaussian
         The belief one step before the first reading, the same for all runs. The slope of the first move is taken at its
         mean, as nobody tells the states there.
@@ -100,8 +101,8 @@ def _after_reading(P, H, R, missing):
     """The bound after a reading: the mean of HᵀR⁻¹H, as one sensor with R = I, so that P may be singular."""
     H = H * ~missing[:, None]
     rows = np.linalg.solve(np.linalg.cholesky(decouple_missing(R, missing)), H)  # of each run a sensor with R = I
-    runs, n = rows.size // (H.shape[-2] * H.shape[-1]), H.shape[-1]
-    seen = np.linalg.qr(rows.reshape(-1, n) / np.sqrt(runs), mode="r")
+    runs = len(rows) if rows.ndim == 3 else 1
+    seen = np.linalg.qr(rows.reshape(-1, H.shape[-1]) / np.sqrt(runs), mode="r")
     one = np.eye(len(seen))
     moved, cross = congruence(seen, P)
     return covariance_after(divide(cross, moved + one), P, seen, one)
