@@ -32,7 +32,7 @@ def recordings(runs=300, rng=2) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     >>> from kflearn.course import cold_store
     >>> true, faults = cold_store.recordings(runs=2)
     >>> print(list(faults), true.shape)
-    ['offset of 3 σ', 'noise doubled', 'stuck', 'drift, 0.3 °C/h'] (2, 1080)
+    ['nothing', 'offset of 3 σ', 'noise doubled', 'stuck', 'drift, 0.3 °C/h'] (2, 1080)
     """
     rng = np.random.default_rng(rng)
     days = simulate(MODEL, START, BEFORE + AFTER, runs=runs, rng=rng)
@@ -40,6 +40,7 @@ def recordings(runs=300, rng=2) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     since = np.arange(BEFORE + AFTER) - BEFORE
     hours, broken = np.maximum(since, 0) * STEP / 3600, since >= 0
     return true, {
+        "nothing": z,
         "offset of 3 σ": z + 3 * np.sqrt(R) * broken,
         "noise doubled": np.where(broken, true + 2 * (z - true), z),
         "stuck": np.where(broken, z[:, [BEFORE]], z),
