@@ -3,12 +3,14 @@
 import contextlib
 import math
 from datetime import UTC, timedelta, timezone
+from unittest.mock import patch
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
+from kflearn.course.reading import rows
 from kflearn.course.recordings import RecordingError, parse, read
 from tests.course.tables import error_of, nan, sound
 
@@ -77,6 +79,33 @@ def test_what_was_written_is_read(rows, style, head, end):
     assert_array_equal(r.values, values)
     assert_allclose(r.time, (stamps - stamps[0]) / 1000, rtol=1e-15)
     assert r.units == ("m", "")
+
+
+ROWS = st.lists(st.sampled_from(["1", "2.5", "", "nan", "-3e2", "x"]), min_size=0, max_size=4)
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    st.lists(ROWS, min_size=2, max_size=6),
+    st.sampled_from([",", ";", "\t"]),
+    st.sampled_from(["", "preamble\n"]),
+    st.sampled_from(["", "\n", "\n\n"]),
+)
+@example([["1", "2", ""], ["1"]], ",", "", "")  # a separator too many in one row hides the one missing in another
+def test_pandas_and_line_by_line_say_the_same(table, separator, head, end):
+    lines = [separator.join([str(k), *fields]) for k, fields in enumerate(table)]
+    text = head + separator.join(["t [s]", "x", "y"]) + "\n" + "\n".join(lines) + end
+    quick = _all_that_is_read(text)
+    with patch.object(rows, "quick_table", return_value=None):
+        assert quick == _all_that_is_read(text)
+
+
+def _all_that_is_read(text):
+    try:
+        r = parse(text)
+    except RecordingError as error:
+        return str(error)
+    return r.names, r.units, r.notes, r.time.tolist(), r.lines.tolist(), str(r.values.tolist())
 
 
 def test_nothing_is_evaluated():

@@ -81,7 +81,7 @@ def _of_numbers(table, j, options):
     unit = options.time_unit if asked else table.units[j]
     if not asked and not unit and name.lower() in ("year", "years", "yr"):
         unit = "year"
-    good = np.delete(stamps, list(bad))
+    good = np.delete(stamps, list(bad)) if bad else stamps
     if not asked and (found := looks_like(good, name, unit)):
         if found.read:
             texts = ["" if k in bad else f"{int(each)}" for k, each in enumerate(stamps)]
@@ -125,6 +125,13 @@ def _numbers(texts, separator, options):
     return array, bad
 
 
+def _in_seconds(apart, scale):
+    """Differences in units of scale seconds, divided once."""
+    if scale == 1:
+        return apart.astype(float, copy=False)
+    return apart * float(scale) if scale > 1 else apart / float(round(1 / scale))
+
+
 def _numeric(stamps, scale, name, quoted, bad=None):
     """Integers are subtracted as integers, and divided once."""
     bad = dict(bad or {})
@@ -132,7 +139,7 @@ def _numeric(stamps, scale, name, quoted, bad=None):
     start = stamps[good[0]] if len(good) else 0
     with np.errstate(over="ignore"):
         apart = stamps.astype(np.int64) - np.int64(start) if stamps.dtype.kind in "iu" else stamps - start
-        seconds = apart * float(scale) if scale >= 1 else apart / float(round(1 / scale))
+        seconds = _in_seconds(apart, scale)
     if stamps.dtype.kind in "iu" and len(good) and stamps.astype(float).max() - stamps.astype(float).min() > 9e18:
         seconds = (stamps.astype(float) - float(start)) * scale
     near = seconds.size and seconds.min() > -LATEST and seconds.max() < LATEST  # NaN is not

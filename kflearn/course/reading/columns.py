@@ -81,11 +81,12 @@ def _kind(text):
 
 def values_of(table, chosen, options, faults):
     """The readings (T, m), NaN for gaps; texts are read in the order of the lines."""
-    values = np.empty((len(table), len(chosen)))
+    values = np.empty((len(chosen), len(table))).T  # a column lies in one piece
     texts = {}
     for i, j in enumerate(chosen):
         if table.is_numeric(j):
-            values[:, i] = table.columns[j].to_numpy(dtype=float, na_value=np.nan)
+            plain = isinstance(table.columns[j].dtype, np.dtype)  # others have a mark of their own for gaps
+            values[:, i] = table.columns[j].to_numpy(**({} if plain else {"dtype": float, "na_value": np.nan}))
             for k in np.flatnonzero(np.isinf(values[:, i])) if table.exact else ():
                 faults.append((int(table.lines[k]), f"column {short(table.names[j])}: {values[k, i]} is no number"))
         else:

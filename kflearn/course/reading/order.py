@@ -75,22 +75,24 @@ def faults_of(table, clock, options):
         missing = not text or (is_gap(text) and not why)
         said = "the time stamp is missing" if missing else f"the time stamp {short(text, 32)} {why}"
         faults.append((int(lines[k]), said))
-    good = np.flatnonzero(~np.isnan(clock.seconds))
-    if len(good) < 2:
-        return faults
-    faults += _late(table, clock, options, good)
+    if not _increases(clock.seconds):
+        good = np.flatnonzero(~np.isnan(clock.seconds))
+        faults += _late(table, clock, options, good) if len(good) > 1 else []
     stamps = clock.stamps
-    if clock.dated and getattr(stamps.dt, "tz", None) is None and len(good) == len(stamps):
+    if clock.dated and stamps is not None and stamps.dt.tz is None and not np.isnan(clock.seconds).any():
         for k in put_forward(stamps, clock.seconds):
             faults.append((int(lines[k]), f"the time stamp {stamps[k]} comes an hour late: {CLOCKS}"))
     return faults
 
 
+def _increases(seconds):
+    """Is each stamp there, and later than the one before?"""
+    return bool((seconds[1:] > seconds[:-1]).all())
+
+
 def _late(table, clock, options, good):
     """The stamps that are not later than the newest before them."""
     faults: list = []
-    if len(good) == len(table) and (clock.seconds[1:] > clock.seconds[:-1]).all():
-        return faults
     lines, seconds = table.lines[good], clock.seconds[good]
     newest = np.maximum.accumulate(seconds)
     late = np.flatnonzero(seconds[1:] <= newest[:-1]) + 1

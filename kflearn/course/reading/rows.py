@@ -46,14 +46,13 @@ def _by_pandas(raw, options, path):
     settings = _settings(text, layout, options)
     if "parse_dates" in settings and _names_a_day(raw):
         return None
-    width, (ends, between) = len(layout.titles), _counts(raw, "\n", layout.separator)
-    rows = ends + (not raw.endswith(b"\n")) - layout.first + 1
     frame = pd.read_csv(path or io.BytesIO(raw), **settings)
-    columns = [frame[j] for j in range(width)]
-    whole = between - _before(text, layout) == rows * (width - 1) and len(frame) == rows
-    if not whole or any(c.dtype.kind == "f" and not np.isfinite([c.min(), c.max()]).all() for c in columns if c.size):
+    columns = [frame[j] for j in range(len(layout.titles))]
+    if any(c.dtype.kind == "f" and not _finite(c.to_numpy()) for c in columns if c.size):
         return None
-    lines = np.arange(layout.first, layout.first + rows)
+    if not _are_full(raw, layout, np.flatnonzero(columns[-1].isna())):  # pandas fills short rows up with NaN
+        return None
+    lines = np.arange(layout.first, layout.first + len(frame))
     return Table(columns, layout.titles, lines, layout.top, layout.separator, exact=False, units_row=layout.units)
 
 
@@ -68,18 +67,29 @@ def _names_a_day(raw):
     return any((raw.find(sign, 4000) >= 0 and day in raw) or day in raw[:4000] for sign, day in DAYS)
 
 
-def _counts(raw, *marks):
-    """How often each sign stands in a text of bytes, a piece at a time."""
-    signs, piece = np.frombuffer(raw, np.uint8), 2**18
-    pieces = [signs[k : k + piece] for k in range(0, signs.size, piece)]
-    return [sum(int(np.count_nonzero(part == ord(mark))) for part in pieces) for mark in marks]
+def _finite(numbers):
+    """Are all numbers finite but for gaps, and is there one?"""
+    return bool(np.isfinite([np.fmin.reduce(numbers), np.fmax.reduce(numbers)]).all())
+
+
+def _are_full(raw, layout, rows):
+    """Has each of these rows, which end with a gap, all its fields?"""
+    if not len(rows):
+        return True
+    ends = np.append(np.flatnonzero(np.frombuffer(raw, np.uint8) == ord("\n")), len(raw))
+    lines = rows + layout.first - 1  # counted from 0
+    places = zip(np.where(lines > 0, ends[lines - 1], 0).tolist(), ends[lines].tolist(), strict=True)
+    return all(raw.count(layout.separator.encode(), a, b) >= len(layout.titles) - 1 for a, b in places)
 
 
 def _settings(text, layout, options):
     """What pandas is told: nothing that it would have to guess, and the time stamps as dates if they begin as such."""
     width = len(layout.titles)
     settings = dict(sep=layout.separator, header=None, names=range(width), skiprows=layout.first - 1, index_col=False)
-    settings |= dict(na_values=GAP_WORDS, keep_default_na=False, encoding="utf-8-sig")
+    settings["skip_blank_lines"] = False  # an empty line is a row of NaN: it counts
+    settings |= dict(na_values=GAP_WORDS, keep_default_na=False)
+    if text.startswith("\ufeff"):
+        settings["encoding"] = "utf-8-sig"  # only where it is needed: it takes its time
     settings["decimal"] = _decimal(text, layout, options)
     names = [named(title)[0] for title in layout.titles]
     clocks = [k for k in range(width) if {names[k], layout.titles[k]} & set(options.clocks)]
@@ -104,14 +114,6 @@ def _filled(lines):
     if all(is_comment(line) for _, line in lines):
         raise RecordingError((None, "there is nothing in it, or nothing but empty lines and comments"))
     return lines
-
-
-def _before(text, layout):
-    """How often the separator stands above the first row."""
-    at = 0
-    for _ in range(layout.first - 1):
-        at = text.index("\n", at) + 1 if "\n" in text[at:] else len(text)
-    return text.count(layout.separator, 0, at)
 
 
 def _decimal(text, layout, options):
