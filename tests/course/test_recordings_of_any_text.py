@@ -91,6 +91,7 @@ ROWS = st.lists(st.sampled_from(["1", "2.5", "", "nan", "-3e2", "x"]), min_size=
     st.sampled_from(["", "preamble\n"]),
     st.sampled_from(["", "\n", "\n\n"]),
 )
+@example([["1", "1", "nan"], ["1", "1"]], ",", "", "")  # a word where there is no column
 @example([["1", "2", ""], ["1"]], ",", "", "")  # a separator too many in one row hides the one missing in another
 def test_pandas_and_line_by_line_say_the_same(table, separator, head, end):
     lines = [separator.join([str(k), *fields]) for k, fields in enumerate(table)]

@@ -44,7 +44,7 @@ def _by_pandas(raw, options, path):
     text = _head(raw)
     layout = layout_of(_first_lines(text), options)
     settings = _settings(text, layout, options)
-    if "parse_dates" in settings and _names_a_day(raw):
+    if ("parse_dates" in settings and _names_a_day(raw)) or _hides_a_word(raw, text, layout):
         return None
     frame = pd.read_csv(path or io.BytesIO(raw), **settings)
     columns = [frame[j] for j in range(len(layout.titles))]
@@ -65,6 +65,16 @@ def _head(raw):
 def _names_a_day(raw):
     """Does "now" or "today" stand in it? In a column of dates pandas would take it for one."""
     return any((raw.find(sign, 4000) >= 0 and day in raw) or day in raw[:4000] for sign, day in DAYS)
+
+
+def _hides_a_word(raw, text, layout):
+    """May a word for a gap stand behind the last column? If the first row is too long, pandas drops it silently."""
+    fields = fields_of(_first_row(text, layout), layout.separator) or []
+    return len(fields) > len(layout.titles) and any(word.encode() in raw for word in GAP_WORDS)
+
+
+def _first_row(text, layout):
+    return next((line for n, line in _first_lines(text) if n >= layout.first), "")
 
 
 def _finite(numbers):
@@ -96,9 +106,9 @@ def _settings(text, layout, options):
     if options.time_format is not None or len(options.clocks) > 1:
         settings["dtype"] = dict.fromkeys(clocks, str)
     else:
-        first = next(line for n, line in _first_lines(text) if n >= layout.first)
+        first = fields_of(_first_row(text, layout), layout.separator) or [""]
         (j,) = clocks if len(clocks) == 1 else (0,)
-        if ISO.match((fields_of(first, layout.separator) or [""])[j : j + 1][0]):
+        if ISO.match(first[j : j + 1][0]):
             settings |= dict(parse_dates=[j], date_format="ISO8601")
     return settings
 
