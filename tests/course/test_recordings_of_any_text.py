@@ -81,15 +81,15 @@ def test_what_was_written_is_read(rows, style, head, end):
     assert r.units == ("m", "")
 
 
-ROWS = st.lists(st.sampled_from(["1", "2.5", "", "nan", "-3e2", "x"]), min_size=0, max_size=4)
+ROWS = st.lists(st.sampled_from(["1", "2.5", "", "nan", "-3e2", "x", "# y", "3 # z"]), min_size=0, max_size=4)
 
 
 @settings(max_examples=300, deadline=None)
 @given(
     st.lists(ROWS, min_size=2, max_size=6),
     st.sampled_from([",", ";", "\t"]),
-    st.sampled_from(["", "preamble\n"]),
-    st.sampled_from(["", "\n", "\n\n"]),
+    st.sampled_from(["", "preamble\n", "# note\n"]),
+    st.sampled_from(["", "\n", "\n\n", "\n# end\n"]),
 )
 @example([["1", "1", "nan"], ["1", "1"]], ",", "", "")  # a word where there is no column
 @example([["1", "2", ""], ["1"]], ",", "", "")  # a separator too many in one row hides the one missing in another

@@ -38,7 +38,7 @@ def quick_table(raw, options, path=None):
 def _by_pandas(raw, options, path):
     import pandas as pd
 
-    odd = any(mark in raw for mark in (b'"', b"#", b"\0")) or (b"\r" in raw and raw.count(b"\r") != raw.count(b"\r\n"))
+    odd = any(mark in raw for mark in (b'"', b"\0")) or (b"\r" in raw and raw.count(b"\r") != raw.count(b"\r\n"))
     if odd or options.separator == " ":
         return None
     text = _head(raw)
@@ -49,6 +49,8 @@ def _by_pandas(raw, options, path):
     frame = pd.read_csv(path or io.BytesIO(raw), **settings)
     columns = [frame[j] for j in range(len(layout.titles))]
     if any(c.dtype.kind == "f" and not _finite(c.to_numpy()) for c in columns if c.size):
+        return None
+    if any(c.dtype.kind not in "iufbM" for c in columns) and b"#" in raw:  # perhaps a comment that pandas took for text
         return None
     if not _are_full(raw, layout, np.flatnonzero(columns[-1].isna())):  # pandas fills short rows up with NaN
         return None
