@@ -18,7 +18,7 @@ class Misfit(Exception):
     """An answer of the wrong form; the text says what it is instead."""
 
 
-def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | None:
+def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=True) -> str | None:
     """What is wrong with an answer.
 
     Parameters
@@ -34,13 +34,15 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
         Whether the sentence may show the right answer.
     by_hand : bool
         Whether the numbers were typed: then three digits are enough, unless whole numbers are wanted.
+    related : bool
+        Whether a sign or a power of ten may be named: of several wrong parts only if it is the same for all.
 
     Returns
     -------
     str or None
         A sentence without its capital letter; None if nothing is wrong.
     """
-    if isinstance(answer, dict) and (parts(right) or np.ndim(right)):  # figures under their names: its values, in order
+    if by_hand and isinstance(answer, dict) and (parts(right) or np.ndim(right)):  # figures under their names
         answer = list(answer.values())
     if wanted := parts(right):
         return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand)
@@ -60,7 +62,8 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False) -> str | No
         return "differs"
     at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
     direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
-    verdict = next((words for words, twin in _relatives(given, right) if _close(given, twin, rtol).all()), "")
+    twins = _relatives(given, right) if related else ()
+    verdict = next((words for words, twin in twins if _close(given, twin, rtol).all()), "")
     if reveal:
         return f"{subject} is {_beside(given, right, at, verdict)}."
     if not verdict and by_hand and all(map(_is_rounded, given[~good], right[~good])):
@@ -85,12 +88,20 @@ def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand):
     if len(given) != len(wanted):
         found = len(given) or f"one of type {type(answer).__name__}"
         return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
-    pairs = zip(given, wanted.items(), strict=True)
-    faults = (
-        fault(piece, part, subject and f"{name} of {subject}", rtol, atol, reveal, by_hand)
-        for piece, (name, part) in pairs
-    )
-    return next(filter(None, faults), None)
+    if isinstance(answer, np.ndarray) and list(map(np.size, given)) != list(map(np.size, wanted.values())):
+        forms = " and ".join(_form(np.shape(part)) for part in wanted.values())
+        return f"{subject} should be {_count(len(wanted), 'value')}, {forms}, but it is {_form(answer.shape)}."
+    rows = list(zip(given, wanted.values(), wanted, strict=True))
+
+    def faults(related=True):
+        for piece, part, name in rows:
+            yield fault(piece, part, subject and f"{name} of {subject}", rtol, atol, reveal, by_hand, related)
+
+    said = {name: words for words, name in zip(faults(), wanted, strict=True) if words}
+    if not by_hand or not subject or len(said) < 2 or any("should" in words for words in said.values()):
+        return next(iter(said.values()), None)
+    alike = len({words.removeprefix(name) for name, words in said.items()}) == 1
+    return " ".join(words[0].upper() + words[1:] for words in filter(None, faults(alike)))
 
 
 def _beside(given, right, at, verdict):

@@ -19,7 +19,8 @@ FULL = 12  # the entries of a matrix that are looked at one by one
 def in_time(exercise, answer, results, rights, faults) -> str:
     """The sentence for results that are wrong; where there is no time to look for it, the first trial that fails."""
     try:
-        named = exercise._lesson(answer, results) or _otherwise(exercise, answer, results, rights)
+        named = _rules_inputs.of_a_dictionary(exercise, results, rights) or exercise._lesson(answer, results)
+        named = named or _otherwise(exercise, answer, results, rights)
         return named or explained(exercise, answer, results, rights, faults)
     except TooLong:
         first = next(number for number, complaint in enumerate(faults) if complaint)

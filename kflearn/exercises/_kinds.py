@@ -13,7 +13,7 @@ from kflearn.exercises._raised import arity_fault
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._typed import typed
 from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
-from kflearn.exercises._words import not_there, one_of
+from kflearn.exercises._words import alone, not_there, one_of, texts
 
 TRIALS = 20  # random inputs on which a function is tried
 
@@ -188,6 +188,11 @@ class ChoiceExercise(ValueExercise):
             return f"the fault is not in line {listed(stray)}." if self.lines else f"it is not {self._listed(stray)}."
         return "that is a part of the answer, but there is more to it."
 
+    def _judge(self, answer, printed):
+        outcome = super()._judge(answer, printed)
+        lead = alone(answer, chosen(self.right)) if outcome.status == "wrong" else ""
+        return Outcome("wrong", lead + outcome.sentence) if lead else outcome
+
     def _same(self, answer, value, narrow):
         return self._compare(answer, value) is None
 
@@ -197,17 +202,11 @@ class ChoiceExercise(ValueExercise):
 
     def _listed(self, choices):
         """Choices in order, with their letters as they were written."""
-        texts = [text for value in (self.right, *(value for value, _ in self.wrong.values())) for text in _texts(value)]
-        return listed(choices, {text.casefold(): text for text in texts if len(text) > 1})
+        named = [text for value in (self.right, *(value for value, _ in self.wrong.values())) for text in texts(value)]
+        return listed(choices, {text.casefold(): text for text in named if len(text) > 1})
 
     def _confirmation(self):
         return f"The {'fault is in line' if self.lines else 'answer is'} {self._listed(chosen(self.right))}."
-
-
-def _texts(value):
-    """The names of choices as they were written."""
-    some = [value] if isinstance(value, str) else value if isinstance(value, (set, frozenset, list, tuple)) else []
-    return [part for part in some if isinstance(part, str)]
 
 
 class FunctionExercise(Exercise):

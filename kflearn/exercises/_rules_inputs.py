@@ -64,21 +64,32 @@ def as_if(results, exercise, close) -> str | None:
     return f"The result is what would be right for {found[0]}" if len(found) == 1 else None
 
 
+# Other values of an argument: near by at first; then far below and far above, where a comparison may turn round
+NEAR = (lambda v: 1.37 * v + 0.61,)
+FAR = (lambda v: 0.02 * v, lambda v: 50 * v + 3, lambda v: -v)
+
+
 def blind(function, exercise, close) -> str | None:
-    """Which argument could have any values, though the result should depend on it; None where there is none."""
+    """Which argument could have any values, though the result should depend on it; None where there is none.
+
+    An argument that only decides something, as in a comparison, is not lost: far values of it show that.
+    """
     for i, name in enumerate(exercise.parameters):
-        told = [_moves(function, exercise._solve, case, i, close) for case in exercise.cases]
-        if told.count(False) >= 3 and True not in told:
-            return f"With other values of {name} the result stays the same. Where does {name} get lost?"
+        look = lambda cases, changes, i=i: [  # noqa: E731
+            _moves(function, exercise._solve, case, i, close, change) for case in cases for change in changes
+        ]
+        told = look(exercise.cases, NEAR)
+        if told.count(False) >= 3 and True not in told and True not in look(exercise.cases[:4], FAR):
+            return f"With other values of {name} the result stayed the same. Where does {name} get lost?"
     return None
 
 
-def _moves(function, solve, case, i, close):
+def _moves(function, solve, case, i, close, change):
     """Whether a function's numbers change with the argument, where those of the solution do; else None."""
     try:
         if np.asarray(case[i]).dtype.kind == "b":
             return None  # True and False have no other values but each other
-        other = (*case[:i], 1.37 * np.asarray(case[i], float) + 0.61, *case[i + 1 :])
+        other = (*case[:i], change(np.asarray(case[i], float)), *case[i + 1 :])
         before, after, *right = (each(*copy.deepcopy(c)) for each in (function, solve) for c in (case, other))
         if np.asarray(_values(right[0])[0]).dtype.kind != "f" or all(map(close, *map(_values, right))):
             return None
@@ -132,3 +143,14 @@ def once_each(told):
         first, *more = [name for name, same in told.items() if same == words]
         also = f" The same holds of {' and '.join(more)}." if more else ""
         yield f"{first[0].upper()}{first[1:]} of the result {words}{also}"
+
+
+def of_a_dictionary(exercise, results, rights) -> str | None:
+    """What is said of results in dictionaries, where several values are wanted; else None."""
+    several = bool(parts(rights[0]))
+    if not any(isinstance(result, dict) for result in results) or not (several or np.ndim(rights[0])):
+        return None
+    flat = [list(result.values()) if isinstance(result, dict) else result for result in results]
+    good = not any(exercise._compare(*pair) for pair in zip(flat, rights, strict=True))
+    how = "return the values one after the other, `return …, …`" if several else "return the values in an array"
+    return f"{'The values are right, but the' if good else 'The'} result is a dictionary: {how}."

@@ -72,3 +72,26 @@ def one_of(given, right, choices) -> str:
         return "choose one, please."
     where = "among these" if right <= given else "none of these"
     return f"choose one, please. The right one is {where}."
+
+
+def alone(answer, right) -> str:
+    """What is said first of a single letter where several are wanted: all that has arrived is this letter.
+
+    Examples
+    --------
+    >>> alone("A" and "C", {"a", "c"})
+    'Your answer is the letter C alone; several are handed in as a set, such as {"X", "Y"} (`and` leaves only the last). '
+    >>> alone("AC", {"a", "c"}), alone("C", {"c"})
+    ('', '')
+    """
+    letter = answer.strip(" .()").upper() if isinstance(answer, str) else ""
+    if len(letter) != 1 or len(right) < 2 or not all(map(str.isalpha, {letter, *right})):
+        return ""
+    several = 'several are handed in as a set, such as {"X", "Y"} (`and` leaves only the last)'
+    return f"Your answer is the letter {letter} alone; {several}. "
+
+
+def texts(value) -> list:
+    """The names of choices as they were written."""
+    some = [value] if isinstance(value, str) else value if isinstance(value, (set, frozenset, list, tuple)) else []
+    return [part for part in some if isinstance(part, str)]
