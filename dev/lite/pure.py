@@ -9,7 +9,8 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-SITE = ("anywidget", "comm", "filterpy", "gpxpy", "ipywidgets", "jupyterlab_widgets", "psygnal", "pymap3d", "pynmea2")
+SITE = ("anywidget", "comm", "filterpy", "gpxpy", "ipywidgets", "jupyterlab_widgets", "psygnal", "pykalman", "pymap3d")
+SITE = (*SITE, "pynmea2", "scikit-base", "simdkalman")
 ANY = [
     "--no-deps",
     "--only-binary=:all:",
