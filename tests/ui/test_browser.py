@@ -147,6 +147,16 @@ def test_a_lesson_in_jupyterlab(chromium, url):
         assert axe.faults(lab.page) == []
 
 
+def test_a_move_fetches_nothing_from_the_server(chromium, url):
+    lab, asked = opened(chromium, url, "plain.ipynb"), []
+    lab.page.on("request", lambda request: asked.append(request.url))
+    for key in 5 * ["ArrowRight"] + 5 * ["ArrowLeft"]:
+        lab.press(0, key)
+        lab.settle(0.1)
+    assert not [address for address in asked if "/static/" in address]  # as the icon of a busy tab would be
+    lab.page.close()
+
+
 def the_last_word_is_the_programs(lab):
     """Also right after moves of the hand that nobody has answered yet."""
     for k in range(5):
