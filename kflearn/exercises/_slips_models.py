@@ -19,6 +19,14 @@ def started(z, T, speed=None):
 
 MORE = {
     "blended_sigma": {
+        "both σ": (
+            60.0,
+            "60 m is the sum of the two σ. Add squares instead: the variance of a Gaussian, and the squared distance of its mean from the middle.",
+        ),
+        "variance of one": (
+            900.0,
+            "900 m² is the variance of one Gaussian. What is missing is the squared distance to the blend's mean, and then the root.",
+        ),
         "variances added": (
             math.sqrt(1800),
             "You added the variances of the two, as for a sum of two errors. The blend takes their mean, and adds the squared distance of each mean from the middle.",

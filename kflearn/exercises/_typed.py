@@ -30,9 +30,9 @@ def _numbers_in(value):
 
 def _near(one, other, rtol):
     """One number: within the tolerance (a whole one within 5e-5), or rounded to three digits or more."""
-    if np.isinf(other):
-        return one == other
-    rounded = any(one == float(f"{other:.{digits}g}") for digits in (3, 4, 5, 6))
+    if np.isinf(other) or other == 0:
+        return one == other or abs(one - other) < 1e-12  # zero comes out of a sum as a rounding error
+    rounded = any(abs(one - float(f"{other:.{digits}g}")) < 1e-12 * abs(other) for digits in (3, 4, 5, 6))
     return abs(one - other) <= (5e-5 if other == round(other) else rtol) * abs(other) or (
         rounded and other != round(other)
     )

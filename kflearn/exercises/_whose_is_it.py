@@ -86,12 +86,12 @@ WRONG = {
     }
     | combined(
         made,
-        most=1,
+        most=2,
         height={
             "√2πS": "",
             "2π√S": "2π√S belongs to readings in the plane. On a line the Gaussian's height is 1/√(2πS), so b has √(2πS).",
             "√S": "2π is missing in b: the Gaussian's height is 1/√(2πS).",
-            "2πS": "A root is missing in b: the Gaussian's height is 1/√(2πS).",
+            "2πS": "Beside e^(−NIS/2) your b has 2πS, the square of √(2πS): a root is missing, or the Gaussian's height 1/√(2πS) counts twice.",
             "√2π S": "S is a variance: it belongs under the root too, √(2πS).",
             "√2π": "S is missing in b: the Gaussian's height is 1/√(2πS).",
         },

@@ -4,11 +4,13 @@ from itertools import cycle
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises import _unknown_sensor, _unknown_sensor_signs
 from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_adaptive import SLIPS
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import NOISY
 from kflearn.exercises._slips_third_data import WRONG as THIRD
@@ -87,6 +89,7 @@ from kflearn.exercises.engine import exercise, judged
     | SLIPS["window_needed"]
     | THIRD["window_needed"]
     | FOURTH["window_needed"],
+    otherwise=facts.scatter_of,
     unit="innovations",
     rtol=1e-3,
     also=[339],  # what `np.ceil` makes of 338.00000000000006
@@ -146,7 +149,7 @@ def logarithms(rng):
         "`s = log_weights + log_likelihoods`, then `return s - np.logaddexp.reduce(s)`",
     ],
     inputs=logarithms,
-    wrong=WRONG["weigh"] | FOURTH["weigh"],
+    wrong=WRONG["weigh"] | FOURTH["weigh"] | FIFTH["weigh"],
     then="A weight of e⁻²⁰⁰⁰ is 0 for a computer; its logarithm, −2000, is an ordinary number and can rise again.",
 )
 def weigh(log_weights, log_likelihoods):

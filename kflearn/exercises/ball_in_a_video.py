@@ -7,6 +7,7 @@ from scipy import ndimage
 
 from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_signs
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
@@ -34,7 +35,7 @@ def a_picture(rng):
         "`whole, _ = ndimage.label(differs)`, then count `whole == whole[ball][0]`, where `ball` is the eroded ball.",
     ],
     inputs=a_picture,
-    wrong=WRONG["true_radius"] | FOURTH["true_radius"],
+    wrong=WRONG["true_radius"] | FOURTH["true_radius"] | FIFTH["true_radius"],
     then=(
         "Erosion decides which region is the ball; counting comes before it. The centre needs no such care: the "
         "rim is lost on all sides alike."

@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._bearings_only import WRONG
 from kflearn.exercises._hints import tried
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import REVIEW
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
@@ -31,7 +33,7 @@ def offsets(rng):
         "In one line: `return np.arctan2(north, east) % (2 * np.pi)`.",
     ],
     inputs=offsets,
-    wrong=WRONG["mended_bearing"] | THIRD["mended_bearing"],
+    wrong=WRONG["mended_bearing"] | THIRD["mended_bearing"] | FIFTH["mended_bearing"],
     then="NumPy's arctan2 was made for this, and it also works where east is 0. Which bearing has a target due south?",
 )
 def mended_bearing(east, north):
@@ -168,6 +170,7 @@ def bearing_variance(sd):
         ),
     }
     | FOURTH["twin_velocity"],
+    otherwise=facts.relative_of,
     unit="m/s",
     then="Every distance has such a twin. The twins separate only when we change our own velocity: by a turn, or by a change of speed; not along the line of sight alone.",
 )

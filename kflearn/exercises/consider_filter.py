@@ -5,9 +5,11 @@ from itertools import cycle
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._consider_by_hand import FIRST_COVARIANCE
 from kflearn.exercises._consider_filter import WRONG
 from kflearn.exercises._hints import after
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
@@ -65,7 +67,7 @@ from kflearn.exercises.engine import exercise
     }
     | SLIPS["inflated"]
     | THIRD["inflated"],
-    otherwise=lambda R: SLIPS["inflated"]["by the memory"][1] if 9 < R < 11 else None,
+    otherwise=lambda R: SLIPS["inflated"]["by the memory"][1] if 9 < R < 11 else facts.deviation_of(R),
     unit="m²",
     then=(
         "For one reading R = 0.34 m² is right. For the mean of a hundred that share the bias it is not: its "
@@ -110,7 +112,7 @@ def averages(rng):
         "`return np.sqrt(R / N + B)`",
     ],
     inputs=averages,
-    wrong=WRONG["honest_average"] | THIRD["honest_average"] | FOURTH["honest_average"],
+    wrong=WRONG["honest_average"] | THIRD["honest_average"] | FOURTH["honest_average"] | FIFTH["honest_average"],
     then="With R = 0.25 and B = 1 ten readings give 1.012 m and a hundred 1.001 m: soon the bias is all that is left.",
 )
 def honest_average(N, R, B):
@@ -169,7 +171,7 @@ def blocks(rng):
         "`return F @ P @ F.T + Q, fading * F @ C, fading**2 * B + q`",
     ],
     inputs=blocks,
-    wrong=WRONG["economical"] | SLIPS["economical"] | FOURTH["economical"],
+    wrong=WRONG["economical"] | SLIPS["economical"] | FOURTH["economical"] | FIFTH["economical"],
     then=(
         "C is what a consider filter remembers. With fading = 0 the bias is new at every step, C is zero, and the "
         "inflated filter would be right."

@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._error_state_navigation import MORE
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
@@ -62,6 +64,7 @@ from kflearn.exercises.engine import exercise
     | MORE["all_bias"]
     | THIRD["all_bias"]
     | FOURTH["all_bias"],
+    otherwise=facts.acceleration_of,
     unit="m",
     also=[-27],  # with its sign
     then=(
@@ -148,7 +151,8 @@ def tunnel_mouths(rng):
     }
     | MORE["dark_time"]
     | THIRD["dark_time"]
-    | FOURTH["dark_time"],
+    | FOURTH["dark_time"]
+    | FIFTH["dark_time"],
     then=(
         "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
         "afterwards the bias."
@@ -263,7 +267,8 @@ def updated(x, dx, K, fix):
     }
     | MORE["mended_fix"]
     | THIRD["mended_fix"]
-    | FOURTH["mended_fix"],
+    | FOURTH["mended_fix"]
+    | FIFTH["mended_fix"],
     then="As dx is zero now, F @ dx stays zero until the next fix: between two fixes only P must be predicted.",
 )
 def mended_fix(x, dx, K, fix):

@@ -1,10 +1,12 @@
-"""Lesson 26: from Gauss to Kalman."""
+"""Lesson 28: from Gauss to Kalman."""
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._history import WRONG, wrong_letters
 from kflearn.exercises._slips_data import SLIPS as MORE
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
@@ -106,6 +108,7 @@ def undisturbed():
             "That is the share of all older readings, in per cent. The ten newest have what is left of the whole.",
         ),
     },
+    otherwise=facts.older_than_ten,
     then="With the lesson's K = 0.2207 it is 0.92, and with a tenth of that gain only 0.20. The smaller the gain, the longer the past must be before it counts as infinite.",
 )
 def newest_ten():
@@ -200,7 +203,9 @@ def exponential_weights(K, n):
     }
     | MORE["behind"]
     | THIRD["behind"]
-    | FOURTH["behind_28"],
+    | FOURTH["behind_28"]
+    | FIFTH["behind_28"],
+    otherwise=facts.next_night,
     unit="s",
     then="With twice the gain it would trail by 0.38 s only, but it would follow the noise more. Lesson 6 weighs one against the other.",
 )

@@ -5,7 +5,9 @@ import math
 import numpy as np
 
 from kflearn.exercises import _false_range
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._homing_missile import WRONG
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
@@ -26,7 +28,7 @@ def errors_on_the_way(rng):
         "`b = -(e + v * t0) / (2 * t0**3)`, then `a = e / t0 - b * t0**2`, then `return a * t + b * t**3`.",
     ],
     inputs=errors_on_the_way,
-    wrong=WRONG["left_over"] | FOURTH["left_over"],
+    wrong=WRONG["left_over"] | FOURTH["left_over"] | FIFTH["left_over"],
     then="An error at rest (v = 0) of 100 m with 3 s to go is 48 m with 1 s to go, with no reading at all: that is the artefact.",
 )
 def left_over(e, v, t0, t):
@@ -148,7 +150,9 @@ def memory(lasts, sd, dt):
         ),
     }
     | THIRD["start_sigma"]
-    | FOURTH["start_sigma"],
+    | FOURTH["start_sigma"]
+    | FIFTH["start_sigma"],
+    otherwise=facts.nees_of,
     unit="m",
     rtol=3e-3,
     then="Its square is the mean of the three squared errors. And one start proves little: NEES of a single start may be anything from 0.2 to 9.",
@@ -191,7 +195,7 @@ def some_errors(rng, runs, steps):
         "`return [np.sqrt(np.mean(np.sum(error[..., k : k + 3] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)]`.",
     ],
     inputs=in_turn(some_errors, (2, 3), (4, 5), (3, 2), (1, 4)),
-    wrong=WRONG["figures"],
+    wrong=WRONG["figures"] | FIFTH["figures"],
     then="Of the three axes together; for one axis, if they are alike, divide by √3. The root comes last: means of distances are smaller.",
 )
 def figures(error):

@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._hints import after
+from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import PUSH
 from kflearn.exercises._slips_models import MORE
@@ -48,17 +50,10 @@ from kflearn.exercises.engine import exercise
             70.0,
             "You added σ and the distance from the middle. Add their squares, and take the root.",
         ),
-        "both σ": (
-            60.0,
-            "60 m is the sum of the two σ. Add squares instead: the variance of a Gaussian, and the squared distance of its mean from the middle.",
-        ),
-        "variance of one": (
-            900.0,
-            "900 m² is the variance of one Gaussian. What is missing is the squared distance to the blend's mean, and then the root.",
-        ),
     }
     | MORE["blended_sigma"]
     | FOURTH["blended_sigma"],
+    otherwise=facts.spread_of,
     unit="m",
     then="The blend of two that disagree is wider than either of them: 50 m. Fusing them, as two opinions that are both right, would have given 21.2 m.",
 )
@@ -150,7 +145,8 @@ def leaving(stays, T):
             " stands on the diagonal.",
         ),
     }
-    | MORE["transition"],
+    | MORE["transition"]
+    | FIFTH["transition"],
     then=(
         "A ship that stays 100 s, read every 2 s, has 0.98 on the diagonal. Halve the time between readings, and "
         "the diagonal moves closer to 1."
@@ -262,7 +258,8 @@ def swapped(z):
         ),
     }
     | MORE["mended_start"]
-    | THIRD["mended_start"],
+    | THIRD["mended_start"]
+    | FIFTH["mended_start"],
     then="Run 1 had the right speed all the time: only a test with several runs can show the second fault.",
 )
 def mended_start(z, T):

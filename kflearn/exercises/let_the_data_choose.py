@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn import fit, random_walk
 from kflearn.exercises import _fitted_R
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._let_the_data_choose import WRONG
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
@@ -19,7 +20,7 @@ def near_the_density(answer):
         return (
             "That is about the probability density itself, 0.0725. Its logarithm was asked for, which is negative here."
         )
-    return None
+    return facts.density_of(answer)
 
 
 @exercise(
@@ -69,6 +70,7 @@ def log_likelihood(y, S):
         "½·4/R² = 1/R gives R = 2.",
     ],
     wrong=WRONG["half_missing"] | THIRD["half_missing"] | FOURTH["half_missing"],
+    otherwise=facts.slope_at,
     unit="",
     then="A σ of 1.41 in place of 2, with no error message and a search that says it converged. Only the mean NIS shows it: it is 2.",
 )

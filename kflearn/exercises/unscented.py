@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from kflearn.exercises import _slips_fifth_late_facts as facts
+from kflearn.exercises._slips_fifth_late_points import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_points import MORE
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
@@ -66,7 +68,9 @@ def image(degrees):
         ),
     }
     | MORE["three_points"]
-    | FOURTH["three_points"],
+    | FOURTH["three_points"]
+    | FIFTH["three_points"],
+    otherwise=facts.weight_of_centre,
     unit="m",
     rtol=1e-4,
     then=(
@@ -119,6 +123,7 @@ def three_points():
     }
     | MORE["declared_kappa"]
     | THIRD["declared_kappa"],
+    otherwise=facts.declared,
     then="With n + λ = 3 and n = 4 the centre's weight is 1 − 4/3 = −1/3: a weight of this rule may be negative.",
 )
 def declared_kappa():
@@ -219,7 +224,8 @@ def columns(P):
             "You divided by the scale. It multiplies the covariance: the points lie √scale standard deviations away.",
         ),
     }
-    | MORE["redrawn"],
+    | MORE["redrawn"]
+    | FIFTH["redrawn"],
     then=(
         "With Q = 0 the moved points and the new ones have the same mean and covariance. Only where something "
         "is added must the points be drawn again."
@@ -278,7 +284,9 @@ def redrawn(mean, P, Q, scale):
         ),
     }
     | MORE["start_nees"]
-    | THIRD["start_nees"],
+    | THIRD["start_nees"]
+    | FIFTH["start_nees"],
+    otherwise=facts.six_ratios,
     rtol=4e-4,  # 0.06 and 0.05994 are two mistakes
     then=(
         "The claimed variance is too large, by a factor of 100 or 1000; in the NEES together by 6/0.042, about 143. A NEES far below its band shows that,"

@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises import _a_stream
 from kflearn.exercises._judge import track
+from kflearn.exercises._slips_fifth_late_when import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._when_was_it import OTHER_WAYS, WRONG, of_no_table
@@ -16,7 +17,7 @@ from kflearn.exercises.engine import exercise, judged
         "The distance is speed times time, in m/s and s: 54 km/h is 15 m/s.",
         "In 0.24 s the bus drives on by 15 · 0.24 m. The reading lies behind it by that much, so `-15 * 0.24`",
     ],
-    wrong=WRONG["behind"] | FOURTH["behind_25"],
+    wrong=WRONG["behind"] | FOURTH["behind_25"] | FIFTH["behind"],
     otherwise=of_no_table,
     unit="m",
     then="A receiver whose own error is 1 m is off by more than three of its σ, always in the same direction, and no mean over readings removes it.",
@@ -28,12 +29,12 @@ def behind():
 
 def two_speeds(rng, T):
     """The speeds of one drive in a town from two instruments; the second is late by some steps and has an offset."""
-    lag, dt = 10 if T == 40 else int(rng.integers(0, 10)), rng.integers(1, 9) / 20  # the longest delay is tried too
+    lag, dt = 10 if T == 50 else int(rng.integers(0, 10)), rng.integers(1, 9) / 20  # the longest delay is tried too
     true = [12.0]
-    for push in rng.normal(0, 3, T + lag - 1):  # it stops and goes, so that no trend hides the delay
-        true.append(12 + 0.6 * (true[-1] - 12) + push)
+    for push in rng.normal(0, 1, T + lag - 1):  # it stops and goes, so that no trend hides the delay
+        true.append(12 + 0.9 * (true[-1] - 12) + push)
     true = np.array(true)
-    late = true[:T] + rng.integers(-2, 3) + rng.normal(0, 0.1, T)
+    late = true[:T] + rng.choice([-8, -6, 0, 6, 8]) + rng.normal(0, 0.1, T)  # an offset that must be taken out
     return np.round(true[lag:] + rng.normal(0, 0.1, T), 2), np.round(late, 2), dt
 
 
@@ -44,8 +45,8 @@ def two_speeds(rng, T):
         "The number of steps times dt is the time in seconds.",
         "`found = [np.corrcoef(v[: len(v) - j], late[j:])[0, 1] for j in range(11)]`, then `np.argmax(found) * dt`",
     ],
-    inputs=in_turn(two_speeds, 60, 40, 90),
-    wrong=WRONG["clock_offset"] | FOURTH["clock_offset"],
+    inputs=in_turn(two_speeds, 60, 50, 90),
+    wrong=WRONG["clock_offset"] | FOURTH["clock_offset"] | FIFTH["clock_offset"],
     also=OTHER_WAYS,
     then="Speeds serve better than places: a place has no sharp features, and its correlation is near 1 at every shift.",
 )

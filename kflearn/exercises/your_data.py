@@ -5,6 +5,7 @@ from itertools import cycle
 import numpy as np
 
 from kflearn.exercises import _a_ride, _a_ride_signs
+from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_data import SLIPS
@@ -104,6 +105,7 @@ LOW, HIGH = chi_square_interval(1, 40)
     | SLIPS["interval_of_R"]
     | THIRD["interval_of_R"]
     | FOURTH["interval_of_R"],
+    otherwise=facts.limits_of,
     unit="m²",
     rtol=3e-3,
     then=(
@@ -181,6 +183,7 @@ def interval_of_R():
     | SLIPS["milliseconds_for_seconds"]
     | THIRD["milliseconds_for_seconds"]
     | FOURTH["milliseconds_for_seconds"],
+    otherwise=facts.in_thousands,
     unit="m²/s³",
     then=(
         "The card cannot tell, because Q is the same; but q says what can happen within one of its “seconds”, and "
