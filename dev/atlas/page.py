@@ -2,19 +2,23 @@
 
 import ast
 import textwrap
+import zlib
 from pathlib import Path
+
+from dev.atlas.languages import LANGUAGES
+from dev.atlas.programs import read
 
 LIBRARIES = Path(__file__).parent / "libraries"
 RETURNED = ("means", "covs", "log_likelihood")
 HEAD = """# Appendix · Other libraries
 
-You know a filter in `kflearn` and have to use another library, or the other way round. Libraries differ where nobody looks: in when the start holds, in what becomes of a missing reading, and in what they call a log-likelihood. This page says so for {count} of them. Every cell of the table, and every line of code, was run on {date}.
+You know a filter in `kflearn` and have to use another library, or the other way round. Libraries differ where nobody looks: in when the start holds, in what becomes of a missing reading, and in what they call a log-likelihood. This page says so for {count} of them. Every cell of the table, and every line of code, {ran}.
 
 [Start here](00-start-here.ipynb) · [Notation](appendix-notation.md) · [Glossary](appendix-glossary.md) · [Errata museum](appendix-errata-museum.md) · [Cheat sheet](appendix-cheat-sheet.md) · [Real recordings](appendix-recordings.md) · [What loggers write](appendix-loggers.md)
 
 ## What was asked
 
-Three tiny problems were given to each library: a random walk, a position with its velocity whose third reading is missing, and the same with two measured components, one of them missing once. Each library got the belief, the matrices and the readings as they are, NaN for what is missing. The right answers come from no filter: all states and readings are one large Gaussian, and the readings condition it (`dev/atlas/problems.py`).
+Three tiny problems were given to each library: a random walk, a position with its velocity whose third reading is missing, and the same with two measured components, one of them missing once. Each library got the belief, the matrices and the readings as they are, NaN (in R and gretl NA) for what is missing. The right answers come from no filter: all states and readings are one large Gaussian, and the readings condition it (`dev/atlas/problems.py`).
 
 - **Start:** does the belief hold one step before the first reading, so that the filter predicts first, or at the first reading?
 - **A gap:** what becomes of a reading that is NaN?
@@ -46,10 +50,24 @@ again = kalman_filter(from_first_reading(model, len(z)), z, theirs)  # and back:
 
 The lines below take the matrices F, H, Q, R, the belief x, P of `kflearn`'s kind and the readings z (T, m), with NaN in gaps. They give the means (T, n), the covariances (T, n, n) and, where the library has one, the log-likelihood of `kflearn`. `np` is NumPy. The figure behind *same numbers* is the largest difference from the exact answer in the first two problems.
 """
+OTHERS = """
+## The same numbers outside Python
+
+These lines are in the library's own language. F, H, Q, R, x, P and z are matrices there: x is a column, and z has a row for each reading, with NA (R, gretl) or NaN (Octave, JavaScript) in gaps. They leave the means, a row for each reading, and the covariances: `covs[t, , ]` in R, a row for each reading in gretl, `covs(:, :, t)` in Octave, and a list in JavaScript.
+"""
+
+
+def paths():
+    """The libraries' files in the order of the page, Python first."""
+    others = [path for path in LIBRARIES.iterdir() if path.suffix in LANGUAGES]
+    return sorted(LIBRARIES.glob("*.py")) + sorted(others, key=lambda path: parts(path)[0].lower())
 
 
 def parts(path):
     """The title and the remarks of a library's file, and its code for the page."""
+    if path.suffix in LANGUAGES:
+        library = read(path)
+        return library.title, library.remarks, library.same.splitlines()
     text = path.read_text(encoding="utf-8")
     tree = ast.parse(text)
     title, _, remarks = ast.get_docstring(tree).partition("\n")
@@ -81,6 +99,11 @@ def pinned(path):
     raise ValueError(f"{path.name} has no PINS")
 
 
+def checksum(path):
+    """Tells whether the lines on the page are those that were run."""
+    return zlib.crc32("\n".join(parts(path)[2]).encode())
+
+
 def row(title, found):
     cells = [f"{title} {found['version']}", found["start"] or "neither", *(found[name] for name in ROW)]
     return f"| {' | '.join(cells)} |\n"
@@ -92,13 +115,23 @@ ROW = ("gap", "part", "likelihood", "negative")
 def section(path, found):
     """What the page says of one library."""
     title, remarks, code = parts(path)
+    fence = LANGUAGES[path.suffix].fence if path.suffix in LANGUAGES else "python"
     text = f"\n### {title}\n\n{remarks} Same numbers: to {found['same']:.0e}.\n\n"
-    return text + "```python\n" + "\n".join(code) + "\n```\n"
+    return text + f"```{fence}\n" + "\n".join(code) + "\n```\n"
 
 
-def page(results, date, untried):
-    """The whole page. results: {file: what was found}, untried: what could not be installed, and why."""
+def ran(results):
+    """The day on which the rows were found, and which of them are older."""
+    newest = max(found["on"] for found in results.values())
+    older = [f"{parts(path)[0]} on {found['on']}" for path, found in results.items() if found["on"] < newest]
+    stayed = f"; where the program was not installed on that day, the row is an older one: {', '.join(older)}"
+    return f"was run on {newest}" + (stayed if older else "")
+
+
+def page(results, untried):
+    """The whole page. results: {file: what was found}, untried: what was not run."""
     rows = "".join(row(parts(path)[0], found) for path, found in results.items())
-    sections = "".join(section(path, found) for path, found in results.items())
-    text = HEAD.format(count=len(results), date=date) + rows + READ + sections
+    ours, others = ("".join(section(path, found) for path, found in results.items() if (path.suffix == ".py") == python)
+                    for python in (True, False))  # fmt: skip
+    text = HEAD.format(count=len(results), ran=ran(results)) + rows + READ + ours + OTHERS + others
     return text + f"\n## Not tried\n\n{untried}\n"

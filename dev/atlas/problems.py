@@ -9,6 +9,8 @@ import numpy as np
 
 NAN = float("nan")
 BEFORE, FIRST = "one step before the first reading", "at the first reading"
+HALF = "the mean one step before the first reading, the covariance at it"
+NONE, STEADY = "none: the first reading is the start", "none: the gain of the steady state"
 USED, DROPPED, ZERO = "used", "dropped", "read as 0"
 
 LEVEL = {
@@ -35,6 +37,8 @@ TWO = MOVING | {
     "z": [[1.1, 1.4], [2.3, 0.8], [3.1, NAN], [5.2, 1.2], [5.9, 1.6], [7.4, 0.9]],
 }
 PROBLEMS = {"level": LEVEL, "moving": MOVING, "two": TWO}
+WHOLE = {"z": [[1.1], [2.3], [3.6], [5.2], [5.9], [7.4]]}  # MOVING without its gap
+GAP = {"z": [[11.2], [9.7], [NAN], [12.4], [8.9], [10.5]]}  # LEVEL with one
 
 
 def arrays(name, **changes):
@@ -72,6 +76,8 @@ def exact(F, H, Q, R, x, P, z, start=BEFORE, part=USED):
 
     start: when the belief N(x, P) holds. part: what becomes of a reading of which a part is missing.
     """
+    if start in (HALF, NONE):
+        return exact(**shifted(F, H, Q, R, x, P, z, start), start=FIRST, part=part)
     T, n = len(z), len(x)
     if part == DROPPED:
         z = np.where(np.isnan(z).any(axis=1, keepdims=True), NAN, z)
@@ -87,10 +93,19 @@ def exact(F, H, Q, R, x, P, z, start=BEFORE, part=USED):
     return means, covs, likelihood
 
 
+def shifted(F, H, Q, R, x, P, z, start):
+    """The problem whose belief at the first reading is that of a start which is HALF, or NONE (one number, H not 0)."""
+    if start == HALF:
+        return dict(F=F, H=H, Q=Q, R=R, x=F @ x, P=P, z=z)
+    unread = np.where(np.arange(len(z))[:, None] == 0, NAN, z)
+    return dict(F=F, H=H, Q=Q, R=R, x=z[0] / H[0], P=R / H**2, z=unread)
+
+
 def answers(problem):
-    """{(start, part): exact answer} for all readings of the two conventions."""
+    """{(start, part): exact answer} for all readings of the conventions."""
     gaps = np.isnan(problem["z"])
     parts = (
         (USED, DROPPED, ZERO) if gaps.any() and problem["z"].shape[1] > 1 else (USED, ZERO) if gaps.any() else (USED,)
     )
-    return {(start, part): exact(**problem, start=start, part=part) for start, part in product((BEFORE, FIRST), parts)}
+    starts = (BEFORE, FIRST, HALF) if len(problem["x"]) > 1 else (BEFORE, FIRST, HALF, NONE)
+    return {(start, part): exact(**problem, start=start, part=part) for start, part in product(starts, parts)}
