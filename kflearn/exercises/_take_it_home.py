@@ -95,6 +95,10 @@ def wrong_sign(x, P, z, H, R):
     return corrected(x, P, *part(z, H, R), sign=-1)
 
 
+def whole_P(x, P, z, H, R):
+    return corrected(x, P, *part(z, H, R))[0], corrected(x, P, np.nan_to_num(z), H, R)[1]
+
+
 def mean_alone(x, P, z, H, R):
     return corrected(x, P, *part(z, H, R))[0]
 
@@ -124,6 +128,10 @@ WRONG = {
         "diagonal alone": (
             [[8, 0], [0, 2]],
             "The variances are right. The covariance beside them is missing: after the step position and velocity err together.",
+        ),
+        "no transpose": (
+            [[4, 10], [0, 2]],
+            "That is F P F + Q, which is not symmetric. The second F is transposed: F P Fᵀ.",
         ),
         "two steps": (
             [[24, 6], [6, 3]],
@@ -210,6 +218,14 @@ WRONG = {
             "R is missing in S = H P Hᵀ + R: such a filter believes each reading without a doubt.",
         ),
         "old P": (old_P, "The mean is right. P is still the one before the reading: P − K H P."),
+        "P of a whole reading": (
+            whole_P,
+            "The mean is right. In P the numbers that are missing count as read, as in FilterPy told NaN: use the same rows of H and R for both.",
+        ),
+        "nothing corrected": (
+            lambda x, P, z, H, R: (x, P),
+            "You return the belief as it came in, also where numbers were read. Correct with the numbers that are there.",
+        ),
         "wrong sign": (
             wrong_sign,
             "The innovation has the wrong sign: it is what was read less what was expected, z − H x.",
