@@ -42,7 +42,7 @@ WRONG = {
         ),
         "radians returned": (
             lambda d: math.radians((d + 180) % 360 - 180),
-            "It is wrapped as it should be, and then turned into radians; the filter works in degrees.",
+            "It is wrapped as it should be, but in radians; the filter works in degrees.",
         ),
         "from 0 to 360 with half a turn": (
             lambda d: (d + 180) % 360,

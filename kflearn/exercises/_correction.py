@@ -13,35 +13,41 @@ WRONG = {
         "velocity": (12.4, "That is the new velocity, 10 + 4/5 · 3 m/s. The position is wanted."),
         "K₂ for K₁": (
             62.4,
-            "You multiplied the innovation by K₂, which belongs to the velocity. For the position it is K₁, made from the corner.",
+            "62.4 is 60 + 4/5 · 3, and 4/5 is K₂, the gain of the velocity. For the position it is K₁, made from the corner.",
         ),
-        "R forgotten": (64.5, "You divided by 4 alone. The variance of the innovation is H P⁻Hᵀ + R = 4 + 1."),
+        "R forgotten": (
+            64.5,
+            "64.5 is 60 + 6/4 · 3. The variance of the innovation is H P⁻Hᵀ + R = 4 + 1, not 4 alone.",
+        ),
         "variance for the corner": (
             72,
-            "You took the variance of the position, 20. P⁻Hᵀ is the second column of P⁻: for the position it has the corner, 6.",
+            "72 is 60 + 20/5 · 3, with the variance of the position on top. P⁻Hᵀ is the second column of P⁻: for the position it has the corner, 6.",
         ),
         "H = [1, 0]": (
             lambda: 60 + 20 / 21 * (13 - 60),
-            "You used H = [1, 0], as if the speedometer read a position. It reads the second number of the state: H = [0, 1].",
+            "15.24 comes from H = [1, 0], as if the speedometer read a position. It reads the second number of the state: H = [0, 1].",
         ),
         "H = [1, 0], right innovation": (
             lambda: 60 + 20 / 21 * 3,
-            "Your gain has H = [1, 0], that of the tape. The speedometer reads the second number of the state: H = [0, 1].",
+            "62.86 is 60 + 20/21 · 3, and 20/21 is the gain for H = [1, 0], that of the tape. The speedometer reads the second number of the state: H = [0, 1].",
         ),
         "moved on": (
             73,
-            "You let the cart roll for another second. x̂⁻ is predicted already, so only the correction is wanted.",
+            "73 is 60 + 13, one more second at the speed that is read. x̂⁻ is predicted already, so only the correction is wanted.",
         ),
-        "the speed added": (63, "You added the innovation of 3 m/s to the position. Multiply it by K₁ first."),
+        "the speed added": (
+            63,
+            "63 is 60 + 3, the innovation of 3 m/s added to the position. Multiply it by K₁ first.",
+        ),
         "the step": (3.6, "That is the correction K₁ · 3 m/s. Add it to the predicted 60 m."),
         "wrong sign": (
             56.4,
-            "You moved the wrong way. The speedometer reads more than predicted, and the corner is positive: the cart is further ahead.",
+            "56.4 is 60 − 3.6: the step has the right size and goes the wrong way. The speedometer reads more than predicted, and the corner is positive: the cart is further ahead.",
         ),
         "K": (1.2, "That is the gain K₁. Go on: 60 m plus K₁ times the innovation."),
         "corner over the position's variance": (
             lambda: 60 + 6 / 21 * 3,
-            "You divided by the variance of the position, with or without R. Here the velocity is read: divide by the variance of the innovation, 4 + 1.",
+            "60.86 is 60 + 6/21 · 3, with the variance of the position below the line. Here the velocity is read: divide by the variance of the innovation, 4 + 1.",
         ),
         "both numbers": (lambda: (63.6, 12.4), "Both numbers are right. Give the position alone."),
     },

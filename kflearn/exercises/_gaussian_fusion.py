@@ -17,7 +17,7 @@ def far_off():
     for_each = {n: 1 / math.sqrt(1 / 5 + n) for n in range(1, 31) if n not in (3, 4, 10, 11, 12)}
     verdict = {True: "more than is allowed", False: "good enough, but fewer would do"}
     return {
-        str(n): (n, f"With {n} readings σ is {s:.2f} m: {verdict[s > 0.3]}. {CLUES.get(n, PRECISIONS)}")
+        str(n): (n, f"With {n} reading{'s' * (n > 1)} σ is {s:.2f} m: {verdict[s > 0.3]}. {CLUES.get(n, PRECISIONS)}")
         for n, s in for_each.items()
     }
 
@@ -30,11 +30,11 @@ WRONG = {
         ),
         "σ for σ²": (
             lambda: 61.6667 + 0.8333 / (0.8333 + 2) * (66 - 61.6667),
-            "You weighed with σ = 2 m. (12) takes variances: the satellite's is 2² = 4 m², and 0.8333 m² is one already.",
+            "62.94 comes from K = 0.8333 / (0.8333 + 2). (12) takes variances: the satellite's is 2² = 4 m², and 0.8333 m² is one already.",
         ),
         "1 − K": (
             lambda: 61.6667 + 4 / (0.8333 + 4) * (66 - 61.6667),
-            "You gave the satellite the prediction's weight: K has the prediction's variance on top, K = 0.8333 / (0.8333 + 4).",
+            "65.25 is the mean with the two weights exchanged: K has the prediction's variance on top, K = 0.8333 / (0.8333 + 4).",
         ),
         "halfway": (
             lambda: (61.6667 + 66) / 2,
@@ -42,7 +42,7 @@ WRONG = {
         ),
         "old prediction": (
             lambda: 60 + 5 / 9 * 6,
-            "You fused the satellite with the old prediction N(60, 5), so the tape is left out: begin with N(61.6667, 0.8333).",
+            "63.33 is the satellite fused with the old prediction N(60, 5), so the tape is left out: begin with N(61.6667, 0.8333).",
         ),
         "satellite alone": (
             66,
@@ -50,13 +50,13 @@ WRONG = {
         ),
         "wrong sign": (
             lambda: 61.6667 - 0.8333 / (0.8333 + 4) * (66 - 61.6667),
-            "The size of the step is right, but you went away from the satellite: 66 is above 61.6667.",
+            "The size of the step is right, but it goes away from the satellite: 66 is above 61.6667.",
         ),
         "variance": (lambda: 0.8333 * 4 / (0.8333 + 4), "That is the fused variance, in m². The mean was asked for."),
         "K": (lambda: 0.8333 / (0.8333 + 4), "That is the gain K. Go on: 61.6667 plus K times the way to 66."),
         "tape and satellite": (
             62.8,
-            "You fused the tape N(62, 1) with the satellite, so the prediction is left out: begin with N(61.6667, 0.8333).",
+            "62.8 is the tape N(62, 1) fused with the satellite, so the prediction is left out: begin with N(61.6667, 0.8333).",
         ),
         "1 − K itself": (
             lambda: 4 / (0.8333 + 4),
@@ -75,11 +75,11 @@ WRONG = {
         "prediction": (60, "60 m was the prediction before the tape was read. Begin with N(61.6667, 0.8333)."),
         "variances as precisions": (
             lambda: 61.6667 + 0.8333**2 / (0.8333**2 + 4**2) * (66 - 61.6667),
-            "You squared the variances. 0.8333 m² and 4 m² are variances already.",
+            "61.85 comes from K = 0.8333² / (0.8333² + 4²). 0.8333 m² and 4 m² are variances already.",
         ),
         "0.8333 taken as σ": (
             lambda: 61.6667 + 0.8333**2 / (0.8333**2 + 4) * (66 - 61.6667),
-            "You squared 0.8333. In N(61.6667, 0.8333) the second number is a variance already; only the satellite's 2 m is a σ.",
+            "62.31 comes from K = 0.8333² / (0.8333² + 4). In N(61.6667, 0.8333) the second number is a variance already; only the satellite's 2 m is a σ.",
         ),
         "mean and variance": (lambda: (62.4138, 0.6897), "Both are right. Give the mean alone: one number."),
     },
@@ -194,7 +194,7 @@ WRONG = {
     "readings_needed": {
         "variances added": (
             67,
-            "67 is (5 + 1)/0.3², rounded up: you added the variances of the prediction and of a reading, and divided by n. "
+            "67 is (5 + 1)/0.3², rounded up: there the variances of the prediction and of a reading are added. "
             "Precisions add: 1/5 of the prediction, and 1 for each reading.",
         ),
         "0.3 taken as a variance": (
@@ -219,16 +219,22 @@ WRONG = {
             lambda: 1 / 0.09,
             "1/0.09 is the precision that is wanted. The prediction brings a part of it, and readings come in whole numbers.",
         ),
-        "5/0.09": (lambda: 5 / 0.09, "You divided the variances. With every reading *precisions* add: 1/5 + n."),
+        "5/0.09": (
+            lambda: 5 / 0.09,
+            "55.6 is 5/0.09, one variance over the other. With every reading *precisions* add: 1/5 + n.",
+        ),
         "variance, not rounded": (
             lambda: 1 / 0.3 - 1 / 5,
-            "You set 0.3 in place of 0.3²: a variance below 0.09 m² is wanted, a precision of 1/0.09. And readings come in whole numbers.",
+            "3.13 is 1/0.3 − 1/5, with 0.3 in place of 0.3²: a variance below 0.09 m² is wanted, a precision of 1/0.09. And readings come in whole numbers.",
         ),
         "1/σ": (
             lambda: 1 / 0.3,
-            "You took 1/σ. Precision is 1/σ², and the prediction brings a part of what is wanted.",
+            "3.33 is 1/σ. Precision is 1/σ², and the prediction brings a part of what is wanted.",
         ),
-        "5/0.09, rounded up": (56, "You divided the variances. With every reading *precisions* add: 1/5 + n."),
+        "5/0.09, rounded up": (
+            56,
+            "56 is 5/0.09, one variance over the other, rounded up. With every reading *precisions* add: 1/5 + n.",
+        ),
         "σ": (0.3, "0.3 m is the σ that is wanted. How many readings bring it about?"),
         "hundred": (
             100,
@@ -240,7 +246,7 @@ WRONG = {
         ),
         "prediction's precision 5": (
             lambda: 1 / 0.09 - 5,
-            "You took 5 for the precision of the prediction. 5 m² is its variance: the precision is 1/5.",
+            "6.11 is 1/0.09 − 5, with 5 for the precision of the prediction. 5 m² is its variance: the precision is 1/5.",
         ),
     },
 }

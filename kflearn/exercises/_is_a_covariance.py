@@ -17,7 +17,9 @@ def exactly(P):
 SYMMETRY = {
     within: "",
     exactly: "You refuse a matrix of which two corners differ by 4 · 10⁻¹⁰. That is rounding: allow for it, as `np.allclose(P, P.T)` does.",
-    lambda P: abs(P[0, 1] - P[1, 0]) < 1e-9: "You compare the corners of the first two states. P may be of any size.",
+    lambda P: (
+        abs(P[0, 1] - P[1, 0]) < 1e-9
+    ): "Your function answers as if only the first two states had to be symmetric. P may be of any size.",
     lambda P: (
         True
     ): "You return True for matrices that are not symmetric. If you look at eigenvalues: `eigvalsh` reads one half of the matrix only. "
@@ -28,26 +30,26 @@ SIGNS = {
     lambda P: np.linalg.eigvalsh(P).min() > 1e-12: "You refuse diag(1, 0). No combination has a *negative* variance there: zero is the variance of "
     "a state that is known exactly. (Cholesky's root refuses it as well.)",
     lambda P: True: "You do not find the combinations of states with a negative variance. A symmetric matrix may have a negative variance, or a correlation beyond 1.",
-    lambda P: np.diag(P).min() >= 0: "Of the variances you look at those on the diagonal. A correlation beyond 1 gives some combination of the states a negative variance.",
-    lambda P: np.diag(P).min() > 0: "Of the variances you look at those on the diagonal, and you refuse zero, the variance of a state that is known. "
+    lambda P: np.diag(P).min() >= 0: "Your function refuses a negative variance on the diagonal, and no other: a correlation beyond 1 gives some combination of the states a negative variance.",
+    lambda P: np.diag(P).min() > 0: "Your function asks that the variances on the diagonal are above zero. Zero is the variance of a state that is known. "
     "A correlation beyond 1 gives some combination of the states a negative variance.",
-    lambda P: np.linalg.det(P) >= -1e-9: "The determinant is the product of the eigenvalues, and two negative ones have a positive product. Look at each of them.",
-    lambda P: np.linalg.det(P) > 1e-12: "The determinant is the product of the eigenvalues, and two negative ones have a positive product. Look at each of them; "
+    lambda P: np.linalg.det(P) >= -1e-9: "Your function answers like a test of the determinant, the product of the eigenvalues: two negative ones have a positive product. Look at each of them.",
+    lambda P: np.linalg.det(P) > 1e-12: "Your function answers like a test of the determinant, the product of the eigenvalues: two negative ones have a positive product. Look at each of them; "
     "and zero is allowed, for a state that is known exactly.",
-    lambda P: np.diag(P).min() >= 0 and np.linalg.det(P) >= -1e-9: "Variances and determinant are right for two states. Of three, two eigenvalues may be negative, "
+    lambda P: np.diag(P).min() >= 0 and np.linalg.det(P) >= -1e-9: "That is right for two states, as far as variances and determinant tell. Of three, two eigenvalues may be negative, "
     "and their product is positive: look at each eigenvalue.",
-    lambda P: np.diag(P).min() > 0 and np.linalg.det(P) > 1e-12: "Variances and determinant are right for two states, except where one is zero. Of three, two eigenvalues "
+    lambda P: np.diag(P).min() > 0 and np.linalg.det(P) > 1e-12: "That is right for two states, as far as variances and determinant tell, except where one is zero. Of three, two eigenvalues "
     "may be negative, and their product is positive: look at each eigenvalue.",
-    lambda P: np.linalg.eigvalsh(P).max() >= -1e-9: "You look at the largest eigenvalue. The smallest one says whether a combination has a negative variance.",
-    lambda P: np.trace(P) >= 0: "You look at the sum of the eigenvalues, the trace. One of them may be negative all the same.",
+    lambda P: np.linalg.eigvalsh(P).max() >= -1e-9: "Your function accepts P if its largest eigenvalue is not negative. The smallest one says whether a combination has a negative variance.",
+    lambda P: np.trace(P) >= 0: "Your function answers like a test of the sum of the eigenvalues, the trace. One of them may be negative all the same.",
     lambda P: P.min() >= 0: "A covariance may be negative, a variance may not. Your test refuses matrices with a negative corner.",
     lambda P: P.min() > 0: "A covariance may be negative or zero, a variance may not be negative. Your test refuses matrices with such a corner.",
-    lambda P: pairs(P): "You look at pairs of states. Each pair may fit, and three together contradict one another: look at all combinations, with the eigenvalues.",
-    lambda P: minors(P) >= -1e-9: "You look at the determinants of the upper left corners. They decide only where none of them is zero: diag(0, −1) passes. "
+    lambda P: pairs(P): "Your function finds what is wrong between two states. Each pair may fit, and three together contradict one another: look at all combinations, with the eigenvalues.",
+    lambda P: minors(P) >= -1e-9: "Your function answers like a test of the determinants of the upper left corners. They decide only where none of them is zero: diag(0, −1) passes. "
     "The eigenvalues decide always.",
-    lambda P: P[0, 0] >= 0 and np.linalg.det(P[:2, :2]) >= -1e-9: "You look at the upper left two by two entries. P may be of any size.",
-    lambda P: upper_left(P): "You look at the upper left two by two entries. P may be of any size.",
-    lambda P: upper_left(P) and np.diag(P).min() > 0: "You look at two states, and refuse zero. P may be of any size, and a state may be known exactly.",
+    lambda P: P[0, 0] >= 0 and np.linalg.det(P[:2, :2]) >= -1e-9: "Your function answers as if P had two states. P may be of any size.",
+    lambda P: upper_left(P): "Your function answers as if P had two states. P may be of any size.",
+    lambda P: upper_left(P) and np.diag(P).min() > 0: "Your function answers as if P had two states, and refuses zero. P may be of any size, and a state may be known exactly.",
     lambda P: np.linalg.eigvalsh(P).min() >= -2.0: "Your limit for the eigenvalues is far below zero: it passes negative variances.",
 }  # fmt: skip
 

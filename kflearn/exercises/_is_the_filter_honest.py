@@ -12,7 +12,7 @@ WRONG = {
         ),
         "5 % at either end": (
             lambda: chi_square_interval(2, 50, 0.9),
-            "You cut off 5 % at either end, which leaves 90 %. For 95 % cut off 2.5 % below and 2.5 % above.",
+            "5 % are cut off at either end, which leaves 90 %. For 95 % cut off 2.5 % below and 2.5 % above.",
         ),
         "the sum": (
             lambda: tuple(np.multiply(chi_square_interval(2, 50), 50)),
@@ -28,7 +28,7 @@ WRONG = {
         ),
         "divided by n as well": (
             lambda: tuple(np.divide(chi_square_interval(2, 50), 2)),
-            "You divided by n too: these are limits for NEES/n, about 1. NEES itself averages n = 2.",
+            "These limits are about 1: those of NEES/n, divided by n too. NEES itself averages n = 2.",
         ),
         "four states": (
             lambda: chi_square_interval(4, 50),
@@ -36,11 +36,11 @@ WRONG = {
         ),
         "a bell": (
             lambda: (2 - 1.96 * np.sqrt(4 / 50), 2 + 1.96 * np.sqrt(4 / 50)),
-            "You took a normal distribution with the right mean and variance. Near, but chi-square is lopsided: take its own quantiles.",
+            "That is 2 ± 1.96 · 2/√50, a normal distribution with the right mean and variance. Near, but chi-square is lopsided: take its own quantiles.",
         ),
         "arguments swapped": (
             lambda: chi_square_interval(50, 2),
-            "You exchanged the two numbers: `dof` is the number of states, `runs` the number of runs.",
+            "The sum of 50 runs is divided by 2 here, and the average of 50 runs by 50. In `chi_square_interval` `dof` is the number of states, `runs` the number of runs.",
         ),
         "degrees of freedom of the runs alone": (
             lambda: tuple(np.multiply(chi_square_interval(1, 50), 50) / 100),
@@ -48,7 +48,7 @@ WRONG = {
         ),
         "a narrow bell": (
             lambda: (2 - 1.96 / np.sqrt(50), 2 + 1.96 / np.sqrt(50)),
-            "You took variance 1 for a single NEES. With two states it is 4, and the distribution is lopsided: take chi-square's own quantiles.",
+            "That is 2 ± 1.96/√50, as if a single NEES had variance 1. With two states it is 4, and the distribution is lopsided: take chi-square's own quantiles.",
         ),
     },
     "nees": {

@@ -101,7 +101,7 @@ WRONG = {
         ),
         "a spring": (
             lambda dt, mass, c: (np.array([[1 - c * dt**2 / (2 * mass), dt], [-c * dt / mass, 1.0]]), push(dt, mass)),
-            "B is right. You tied the force to the position: that is a spring. A drag depends on the velocity, so it belongs to the second column of F.",
+            "B is right. In your F the force depends on the position: that is a spring. A drag depends on the velocity, so it belongs to the second column of F.",
         ),
         "minus c alone": (
             lambda dt, mass, c: (np.array([[1, dt - c * dt**2 / (2 * mass)], [0, -c * dt / mass]]), push(dt, mass)),
@@ -175,7 +175,7 @@ WRONG = {
         ),
         "everything at dt = 1": (
             lambda dt, mass, c: (held_drag(1.0, mass, c), push(1.0, mass)),
-            "You took dt = 1 for granted. Your function gets dt as an argument: use it, in F and in B.",
+            "That is right at dt = 1 only. Your function gets dt as an argument: use it, in F and in B.",
         ),
         "a flat B": (
             lambda dt, mass, c: (held_drag(dt, mass, c), push(dt, mass).ravel()),

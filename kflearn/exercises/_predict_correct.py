@@ -32,6 +32,8 @@ REMARKS = {
     "D": "The correction goes away from the tape.",
     "AB": "That is the other answer of the readers: the tape was expected to read 60 + 10 = 70. One more mistake is needed.",
     "AC": "The innovation is right for 60.5 m, but with Q the gain is 5/6. Which gain is needed?",
+    "AD": "With A alone the innovation is 62 − 70 = −8 m. The wrong sign turns that into a step upwards, but of 8 m times the gain: only 0.5 m is wanted.",
+    "ABD": "The gain is 1/2, as for 60.5 m. But the innovation is 62 − 70 = −8 m, and the wrong sign turns it into a step of 4 m: only 0.5 m is wanted.",
     "BC": "H = [1, 0] never looks at the velocity, so the wrong velocity changes nothing.",
 }
 
@@ -39,7 +41,7 @@ REMARKS = {
 def other_letters():
     """Every set of letters but the right one, with where it ends."""
     for letters in ("".join(c) for size in (1, 2, 3, 4) for c in itertools.combinations("ABCD", size)):
-        remark = REMARKS.get(letters, "With the wrong sign the correction goes the wrong way.")
+        remark = REMARKS.get(letters, "With the wrong sign the correction goes down from 60 m, and 60.5 m is above it.")
         if letters != "ABC":
             alone = "alone ends" if len(letters) == 1 else "together end"
             yield letters, f"{' and '.join(letters)} {alone} at {ends_at(letters):.2f} m. {remark}"
@@ -59,7 +61,7 @@ WRONG = {
         ),
         "F P F": (
             lambda: F @ P @ F + Q,
-            "You multiplied by F on both sides. The right-hand one must be Fᵀ, or the result is not even symmetric.",
+            "That is F P F + Q. The right-hand F must be Fᵀ, or the result is not even symmetric.",
         ),
         "F P F without Q": (
             lambda: F @ P @ F,
@@ -67,7 +69,7 @@ WRONG = {
         ),
         "P F P": (
             lambda: P @ F @ P + Q,
-            "You put F between two P's. It is the other way round: P stands between F and Fᵀ. Your result would be in m⁴.",
+            "That is P F P + Q, in m⁴. It is the other way round: P stands between F and Fᵀ.",
         ),
         "P F P without Q": (
             lambda: P @ F @ P,
@@ -79,15 +81,15 @@ WRONG = {
         ),
         "F P": (
             lambda: F @ P + Q,
-            "You stopped after F P. The error stands twice in a covariance, and both must be moved: multiply by Fᵀ on the right.",
+            "That is F P + Q. The error stands twice in a covariance, and both must be moved: multiply by Fᵀ on the right.",
         ),
         "P + Q": (
             lambda: P + Q,
-            "You added Q, but did not move the old covariance: in 2 s an uncertain velocity makes the position uncertain.",
+            "That is P + Q, and the old covariance is not moved: in 2 s an uncertain velocity makes the position uncertain.",
         ),
         "entry by entry": (
             lambda: F * P * F.T + Q,
-            "In NumPy * multiplies entry by entry; the product of matrices is @.",
+            "Two ways lead to it: P + Q without the corner of P, or `*` in F P Fᵀ, which multiplies entry by entry in NumPy. F P Fᵀ is a product of matrices, made with `@`.",
         ),
         "diagonal only": (
             lambda: np.diag(np.diag(F @ P @ F.T + Q)),
@@ -95,15 +97,15 @@ WRONG = {
         ),
         "minus Q": (
             lambda: F @ P @ F.T - Q,
-            "You subtracted Q. Bumps make the belief wider: add Q.",
+            "That is F P Fᵀ − Q. Bumps make the belief wider: add Q.",
         ),
         "Q taken for σ": (
             lambda: F @ P @ F.T + Q @ Q,
-            "You squared Q. It holds variances already; add it as it is.",
+            "In the upper left stands 18 + 16, the square of 4. Q holds variances already; add it as it is.",
         ),
         "dt = 1": (
             lambda: [[11, 4], [4, 4]],
-            "You took dt = 1, as in the lesson. Here dt is 2 s, so F = [[1, 2], [0, 1]].",
+            "That is the result for dt = 1 s, as in the lesson. Here dt is 2 s, so F = [[1, 2], [0, 1]].",
         ),
         "Q in the corners": (
             lambda: F @ P @ F.T + [[4, 1], [1, 1]],
@@ -115,27 +117,27 @@ WRONG = {
         ),
         "Q as a row": (
             lambda: F @ P @ F.T + np.array([4, 1]),
-            "You added [4, 1] to each row. diag(4, 1) is a matrix with 4 and 1 on the diagonal and zeros in the corners: np.diag([4, 1]).",
+            "Here [4, 1] is added to each row. diag(4, 1) is a matrix with 4 and 1 on the diagonal and zeros in the corners: np.diag([4, 1]).",
         ),
         "Q times dt": (
             lambda: F @ P @ F.T + 2 * Q,
-            "You multiplied Q by dt. It is given for this step: add it as it is.",
+            "That is F P Fᵀ + dt·Q. Q is given for this step: add it as it is.",
         ),
         "Q times dt²": (
             lambda: F @ P @ F.T + 4 * Q,
-            "You multiplied Q by dt². It is given for this step: add it as it is.",
+            "That is F P Fᵀ + dt²·Q. Q is given for this step: add it as it is.",
         ),
         "P Fᵀ": (
             lambda: P @ F.T + Q,
-            "You left out the F on the left. The error stands twice in a covariance, and both must be moved: F P Fᵀ.",
+            "That is P Fᵀ + Q, without the F on the left. The error stands twice in a covariance, and both must be moved: F P Fᵀ.",
         ),
         "F(P + Q)Fᵀ": (
             lambda: F @ (P + Q) @ F.T,
-            "You added Q before the step and moved it along. It belongs to this step: first F P Fᵀ, then add Q.",
+            "That is F(P + Q)Fᵀ, with Q moved as well. Q belongs to this step: first F P Fᵀ, then add Q.",
         ),
         "Q for the position only": (
             lambda: F @ P @ F.T + np.diag([4.0, 0.0]),
-            "You added Q for the position only. The velocity has an entry in Q too: 1 at the lower right.",
+            "Q is added for the position only. The velocity has an entry in Q too: 1 at the lower right.",
         ),
     },
 }

@@ -56,7 +56,7 @@ def within(state, name):
         inside(state),
         91,
         98.5,
-        below="Your σ is too small for your errors. Either P is too small (Q, R), or the place is wrong (what is expected, H).",
+        below="Your σ is too small for your errors. Either P is too small (Q, R), or the place is wrong (what is expected, the innovation, H).",
         above="Your σ is too large for your errors: P is not made small enough by the readings, or R or Q is too large.",
         unit="%",
     )
@@ -68,7 +68,7 @@ MARKS = [
         place_error(),
         high=4.6,
         above="Your place is further off than it need be. Print both innovations and their claimed σ, the roots of the diagonal of S, for "
-        "one of your own recordings: the one that is too large shows whether distance or bearing goes wrong.",
+        "one of your own recordings: the one that does not fit its σ, far too large or far too small, shows whether distance or bearing goes wrong.",
         unit="m",
     ),
     within(0, "east"),
@@ -79,7 +79,7 @@ MARKS = [
         0.85,
         1.25,
         below="Your P is too large for your errors: compare Q, R and the correction of P with the text.",
-        above="Your P is too small for your errors: compare Q, R and H with the text.",
+        above="Your errors are larger than P says: compare the innovation, Q, R and H with the text.",
     ),
     Mark(
         "NEES / n of the first five readings",
@@ -87,7 +87,7 @@ MARKS = [
         0.5,
         2,
         below="At the beginning your P is too large: does it start from `cov`?",
-        above="At the beginning your errors are larger than P says: what happens in the second before the first reading, and at which state is H taken?",
+        above="At the beginning your errors are larger than P says. Look at the start, the second before the first reading, the innovation, R, and the state at which H is taken.",
     ),
 ]
 
@@ -129,7 +129,8 @@ def against(reading, x, wrap, expect=None, slope=None):
     """Innovation and H at a state, or what stands there by mistake."""
     expected, H = seen(x)
     y = reading - (expected if expect is None else expect(x))
-    y[1] = angle_difference(y[1], 0, 2 * np.pi) if wrap else y[1]
+    turns = {True: [1], False: [], "both": [0, 1]}[wrap]  # what is taken the short way round
+    y[turns] = angle_difference(y[turns], 0, 2 * np.pi)
     return y, H if slope is None else slope(H, x)
 
 

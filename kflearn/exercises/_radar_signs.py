@@ -124,6 +124,18 @@ MISTAKES = [
         lambda *given: extended(*given, wrap=False),
         "The bearings are subtracted plainly, or with a period of 360. A bearing of 3.1 rad and one of −3.1 rad are close together: take the short way round, `angle_difference(…, …, 2 * np.pi)`.",
     ),
+    (
+        lambda *given: extended(*given, wrap="both"),
+        "The distance is taken the short way round as well. Only the bearing is an angle: subtract the distance plainly.",
+    ),
+    (
+        with_R(5.0**2, np.radians(0.02) ** 2),
+        "In your R the variance of the bearing is (0.02·π/180)², as if 0.02 were in degrees. It is in radians already.",
+    ),
+    (
+        with_R(5.0**2, np.degrees(0.02) ** 2),
+        "In your R the bearing's 0.02 is turned into degrees. The bearing, and its σ, are in radians.",
+    ),
     (with_R(5.0, 0.02), "Your R holds the standard deviations. R holds variances: 5² and 0.02²."),
     (
         with_R(5.0, 0.02**2),

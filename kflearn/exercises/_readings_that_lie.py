@@ -36,11 +36,11 @@ WRONG = {
         ),
         "R only": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > n**2 * R,
-            "You compare with R only. The prediction has an error too: the innovation's variance is S = P + R.",
+            "That is the answer of a gate made with R only. The prediction has an error too: the innovation's variance is S = P + R.",
         ),
         "P only": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > n**2 * P,
-            "You compare with P only. The reading has an error too: the innovation's variance is S = P + R.",
+            "That is the answer of a gate made with P only. The reading has an error too: the innovation's variance is S = P + R.",
         ),
         "sigmas not squared": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > n * (P + R),
@@ -60,11 +60,11 @@ WRONG = {
         ),
         "σ added": (
             lambda z, x, P, R, n: abs(angle_difference(z, x)) > n * (np.sqrt(P) + np.sqrt(R)),
-            "You added standard deviations. Of independent errors the variances add up: √(P + R).",
+            "Your gate is sigmas · (√P + √R) wide, as with standard deviations that add up. Of independent errors the variances add up: √(P + R).",
         ),
         "always 3": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > 9 * (P + R),
-            "You wrote 3σ into the function. How wide the gate is, is said by sigmas.",
+            "Your gate is 3σ wide, whatever `sigmas` is. How wide the gate is, is said by sigmas.",
         ),
     },
     "steps_shut": {
@@ -132,7 +132,7 @@ WRONG = {
         ),
         "itself too": (
             lambda old, z, w: 1 + np.sum(abs(angle_difference(old, z)) <= w),
-            "One too many: the new reading itself is not among the refused ones that are asked for.",
+            "One too many: the new reading itself is not among the refused ones that are asked for, and a count begins at 0.",
         ),
         "all of them": (
             lambda old, z, w: len(old),

@@ -16,15 +16,15 @@ from kflearn.exercises._answers import parts
 
 # What each rule makes of the right result, and what is said of an answer that is equal to that
 TRANSFORMS = [
-    (lambda r: np.sqrt(r), "is the square root of what is wanted: a root too many, or a square that is missing."),
-    (lambda r: r**2, "is the square of what is wanted: a square too many, or a root that is missing."),
-    (lambda r: 1 - r, "is 1 minus what is wanted: the other part of the whole."),
+    (lambda r: np.sqrt(r), "is the square root of what is wanted. Is there a root too many, or a square missing?"),
+    (lambda r: r**2, "is the square of what is wanted. Is there a square too many, or a root missing?"),
+    (lambda r: 1 - r, "is 1 minus what is wanted."),
     (lambda r: 1 / r, "is 1 divided by what is wanted."),
     (lambda r: 2 * r, "is twice what is wanted."),
     (lambda r: r / 2, "is half of what is wanted."),
     (lambda r: -r, "has the opposite sign."),
-    (lambda r: np.degrees(r), "is in degrees; radians are wanted."),
-    (lambda r: np.radians(r), "is in radians; degrees are wanted."),
+    (lambda r: np.degrees(r), "is 180/π times what is wanted: degrees in place of radians?"),
+    (lambda r: np.radians(r), "is π/180 times what is wanted: radians in place of degrees?"),
     (lambda r: 100 * r, "is 100 times too large: in per cent, or in centimetres?"),
     (lambda r: r / 100, "is 100 times too small: metres for centimetres, or a share for per cent?"),
     (lambda r: r.T if r.ndim == 2 else np.nan, "is the transpose of what is wanted."),
@@ -65,7 +65,8 @@ def sentence(results, rights, close) -> str | None:
         mine, theirs = [each[i] for each in rows], [right[i] for right in wanted]
         if not all(map(close, mine, theirs)):
             told[name] = _relation(mine, theirs, close)
-    if not told or None in told.values():
+    by_chance = len(results) == 1 and len(set(told.values())) > 1  # two numbers that are related in two ways
+    if not told or None in told.values() or by_chance:
         return None
     others = "The rest is right. " if len(told) < len(names) else ""
     return others + " ".join(_rules_inputs.once_each(told))

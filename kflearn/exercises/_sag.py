@@ -13,9 +13,12 @@ WRONG = {
     "without the 2, not rooted": (800, "Two things: the sag is σ²/(2d), not σ²/d, and what you have is σ², not σ."),
     "variance of the reading": (
         math.sqrt(3200),
-        "You compared with the variance of a reading, 4 m². The sag is a length, so compare it with the σ of a reading, 2 m.",
+        "56.6 is √(2 · 400 · 4): with the variance of a reading, 4 m², or a factor 2 too many. The sag is a length, so compare it with the σ of a reading, 2 m.",
     ),
-    "variance, not rooted": (3200, "You took the variance of a reading, 4 m², and what you have is σ², not σ."),
+    "variance, not rooted": (
+        3200,
+        "3200 is 2 · 400 · 4: with the variance of a reading, 4 m², or a factor 2 too many. And that is σ², not σ.",
+    ),
     "root of the distance": (
         20,
         "20² is 400, the distance: one factor 2 divides where it should multiply, or both are left out. From σ²/(2 · 400 m) = 2 m follows σ² = 2 · 400 m · 2 m.",
@@ -23,22 +26,28 @@ WRONG = {
     "the reading's σ": (2, "A belief 2 m wide sags by 2²/(2 · 400) m = 5 mm. Solve σ²/(2 · 400 m) = 2 m for σ."),
     "the cart's distance": (
         math.sqrt(2 * 20 * 2),
-        "You took the 20 m of the cart on the rail. Here the station is 400 m away.",
+        "8.94 is √(2 · 20 · 2), and 20 m belong to the cart on the rail. Here the station is 400 m away.",
     ),
     "the sag itself": (
         2**2 / 800,
-        "You put the reading's 2 m in as the σ of the belief, so that is the sag of a belief 2 m wide. Asked is the σ for which the *sag* is 2 m.",
+        "0.005 m is the sag of a belief 2 m wide, 2²/(2 · 400) m. Asked is the σ for which the *sag* is 2 m.",
     ),
     "the root of 2 m": (
         math.sqrt(800 * math.sqrt(2)),
-        "You took the root of 2 m. The 2 m are a standard deviation already: the sag is to be as large as that.",
+        "33.6 is √(2 · 400 · √2), with the root of 2 m. The 2 m are a standard deviation already: the sag is to be as large as that.",
     ),
-    "upside down": (math.sqrt(2 / 800), "You divided 2 m by 2 · 400 m. In σ²/(2d) = 2 m, multiply both sides by 2d."),
+    "upside down": (
+        math.sqrt(2 / 800),
+        "0.05 is the root of 2/(2 · 400). In σ²/(2d) = 2 m, multiply both sides by 2d.",
+    ),
     "a quarter": (10, "At 10 m the sag is only a sixteenth of what is wanted: it grows with the square of σ."),
-    "half the distance": (200, "You divided the distance by 2. Solve σ²/(2 · 400 m) = 2 m for σ."),
+    "half the distance": (
+        200,
+        "200 is half of the distance, and the sag of a belief 400 m wide. Solve σ²/(2 · 400 m) = 2 m for σ.",
+    ),
     "2 above": (
         math.sqrt(400 * 2 / 4),
-        "You divided by 2. Solve σ²/(2d) = 2 m for σ²: both factors 2 multiply, σ² = 2 · d · 2 m.",
+        "14.1 is the root of 400/2. Solve σ²/(2d) = 2 m for σ²: both factors 2 multiply, σ² = 2 · d · 2 m.",
     ),
 }
 
@@ -70,7 +79,7 @@ POLAR = {
     ),
     "J turned on its side": (
         lambda r, angle, sd_r, sd_angle: slopes(r, angle).T @ np.diag([sd_r**2, sd_angle**2]) @ slopes(r, angle),
-        "You took Jᵀ R J. The errors in the plane are J times the errors of the reading, so the covariance is J R Jᵀ.",
+        "Your result is Jᵀ R J for the Jacobian J: either the factors are exchanged, or your J is transposed. Its rows belong to east and north, its columns to r and θ, and the covariance is J R Jᵀ.",
     ),
     "J once": (
         lambda r, angle, sd_r, sd_angle: slopes(r, angle) @ np.diag([sd_r**2, sd_angle**2]),
@@ -126,7 +135,7 @@ POLAR = {
     ),
     "turned the other way": (
         lambda r, angle, sd_r, sd_angle: turned(r, -angle, sd_r, sd_angle),
-        "The variances are right, and the correlation has the wrong sign: you turned by the bearing in the wrong direction. Work out the four slopes once more.",
+        "The variances are right, and the correlation has the wrong sign, as if the bearing turned the other way. Work out the four slopes once more.",
     ),
     "inverse": (
         lambda r, angle, sd_r, sd_angle: np.linalg.inv(turned(r, angle, sd_r, sd_angle)),

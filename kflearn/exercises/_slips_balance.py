@@ -41,12 +41,15 @@ WRONG = {
         ),
         "squared": (
             lambda: 13 / 94,
-            "You squared P, Q and R. They are given in V², so they are variances already.",
+            "0.138 is (2² + 3²)/(2² + 3² + 9²). P, Q and R are given in V², so they are variances already.",
         ),
-        "minus Q": (0.1, "You took Q away. Between two readings the source moves, so P grows by Q."),
+        "minus Q": (
+            0.1,
+            "0.1 is 1/(1 + 9), and 1 is the difference of Q and P. Between two readings the source moves, so P grows by Q: P⁻ is their sum.",
+        ),
         "P over the sum of all, 1 − K": (
             12 / 14,
-            "You left P where it is and put Q on the other side: P⁻ = P + Q stands on top, and R joins it below.",
+            "0.857 is (Q + R)/(P + Q + R). On top stands P⁻ = P + Q, and R joins it below.",
         ),
         "Q/(P + Q + R)": (
             3 / 14,
@@ -74,7 +77,7 @@ WRONG = {
         ),
         "K² + K = q": (
             lambda Q, R: (math.sqrt(1 + 4 * Q / R) - 1) / 2,
-            "You solved K² + K − q = 0. The factor of K is q: K² + qK − q = 0.",
+            "That is the solution of K² + K − q = 0. The factor of K is q: K² + qK − q = 0.",
         ),
         "no 4": (
             lambda Q, R: (math.sqrt((Q / R) ** 2 + Q / R) - Q / R) / 2,
@@ -100,15 +103,15 @@ WRONG = {
     "steady_sigma": {
         "4 for 4q": (
             lambda: math.sqrt((math.sqrt(0.04**2 + 4) - 0.04) / 2 * 0.25),
-            "Under the root in K stands q² + 4q: your 4 lacks its q.",
+            "0.495 comes from K = 0.98. Under the root in K stands q² + 4q: does the 4 lack its q?",
         ),
         "not halved": (
             lambda: math.sqrt((math.sqrt(0.04**2 + 0.16) - 0.04) * 0.25),
-            "Your K is twice as large as it should be: the solution of a quadratic equation is divided by 2.",
+            "0.301 is the root of 2P. Either K is not divided by 2 at its end, or it is multiplied by σ = 0.5 °C in place of R = 0.25 °C².",
         ),
         "squared": (
             lambda: math.sqrt(balance(0.0001, 0.0625)) * 0.25,
-            "You squared Q and R. They are given in °C², so they are variances already.",
+            "0.0495 comes from 0.01² and 0.25². Q and R are given in °C², so they are variances already.",
         ),
         "golden": (
             lambda: math.sqrt(0.618034 * 0.25),

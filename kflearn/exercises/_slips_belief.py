@@ -24,7 +24,7 @@ WRONG = {
     "third_opinion": {
         "both σ": (
             lambda: third(math.sqrt(0.8333) / (math.sqrt(0.8333) + 2)),
-            "You weighed with two standard deviations. (12) takes variances: 0.8333 m² is one already, and the satellite's is 2².",
+            "63.02 comes from a K of two standard deviations, √0.8333 and 2. (12) takes variances: 0.8333 m² is one already, and the satellite's is 2².",
         ),
         "mean of three": (
             lambda: (60 + 62 + 66) / 3,
@@ -32,15 +32,15 @@ WRONG = {
         ),
         "the lesson's gain": (
             lambda: third(5 / 6),
-            "Your gain is 5/6, that of the lesson's tape. Form a new one, from 0.8333 m² and the satellite's variance.",
+            "65.28 comes from a gain of 5/6, that of the lesson's tape. Form a new one, from 0.8333 m² and the satellite's variance.",
         ),
         "a third": (
             lambda: third(1 / 3),
-            "You moved by a third, as the mean of three readings would. The three are not equally certain: form K.",
+            "63.11 is a third of the way, as in the mean of three readings. The three are not equally certain: form K.",
         ),
         "ratio": (
             lambda: third(0.8333 / 4),
-            "Your gain is the ratio of the two variances. K is a part of their sum: add 0.8333 below the line.",
+            "62.57 comes from a gain of 0.8333/4, the ratio of the two variances. K is a part of their sum: add 0.8333 below the line.",
         ),
         "wrong part of σ": (
             lambda: third(2 / (0.8333 + 2)),

@@ -19,14 +19,14 @@ def squared(P):
 
 
 MEASURES = {
-    "first variance": (lambda L: squared(L)[0, 0], "You compare the variance of the first state only. A reading may leave that as it was: compare all of them, as the trace does."),
-    "last variance": (lambda L: squared(L)[-1, -1], "You compare the variance of the last state only. A reading may leave that as it was: compare all of them, as the trace does."),
-    "determinant of the roots": (np.linalg.det, "You compare the determinants of the *roots*, which may have a minus sign. Compare those of L Lᵀ."),
-    "largest entry of the roots": (np.max, "You compare the largest entries of the *roots*, which may have minus signs. Square them first: compare variances."),
-    "sum of the roots": (np.sum, "You compared numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ."),
-    "sum of the sizes": (lambda L: abs(L).sum(), "You compare the sizes of the entries of the roots. What a reading makes smaller are the variances: compare the traces of L Lᵀ."),
-    "sum of all entries": (lambda L: squared(L).sum(), "You compare the sums of all entries. That is the variance of the sum of the states, and a reading may leave it as it was: compare the traces."),
-    "largest variance": (lambda L: np.diag(squared(L)).max(), "You compare the largest variance only. A reading may leave that as it was: compare all of them, as the trace does."),
+    "first variance": (lambda L: squared(L)[0, 0], "Your function chooses as if it compared the variance of the first state only. A reading may leave that as it was: compare all of them, as the trace does."),
+    "last variance": (lambda L: squared(L)[-1, -1], "Your function chooses as if it compared the variance of the last state only. A reading may leave that as it was: compare all of them, as the trace does."),
+    "determinant of the roots": (np.linalg.det, "Your function chooses as if it compared the determinants of the *roots*, which may have a minus sign. Compare those of L Lᵀ."),
+    "largest entry of the roots": (np.max, "Your function chooses as if it compared the largest entries of the *roots*, which may have minus signs. Square them first: compare variances."),
+    "sum of the roots": (np.sum, "Your function chooses as if it compared numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ."),
+    "sum of the sizes": (lambda L: abs(L).sum(), "Your function chooses as if it compared the sizes of the entries of the roots. What a reading makes smaller are the variances: compare the traces of L Lᵀ."),
+    "sum of all entries": (lambda L: squared(L).sum(), "Your function chooses as if it compared the sums of all entries. That is the variance of the sum of the states, and a reading may leave it as it was: compare the traces."),
+    "largest variance": (lambda L: np.diag(squared(L)).max(), "Your function chooses as if it compared the largest variance only. A reading may leave that as it was: compare all of them, as the trace does."),
 }  # fmt: skip
 
 
@@ -129,7 +129,7 @@ WRONG = {
     "posterior": {
         "larger first variance": (
             chosen(lambda L: squared(L)[0, 0], larger=True),
-            "You take the one with the larger variance: that is the covariance before the reading. And the first state alone does not tell.",
+            "Your function chooses the one with the larger first variance: that is the covariance before the reading. And the first state alone does not tell.",
         ),
         "the larger root": (
             chosen(lambda L: np.trace(squared(L)), larger=True, root=True),

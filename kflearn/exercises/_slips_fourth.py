@@ -118,7 +118,7 @@ WRONG = {
     "correct": {
         "R outside": (
             outside,
-            "R belongs inside the bracket that is inverted, inv(H P Hᵀ + R). You added it to the gain, which has another shape.",
+            "R belongs inside the bracket that is inverted, inv(H P Hᵀ + R). You added it to the gain, which is a matrix of another kind.",
         ),
     },
     "fuse": {
@@ -129,13 +129,6 @@ WRONG = {
     },
     "second_gain": {
         "as in the lesson": (0.625, "0.625 is the lesson's second gain, where Q = R. Here Q = 3 V² and R = 9 V²: work out P⁻ anew."),
-    },
-    "which_knob": {
-        ", ".join(sorted(letters)): (
-            set(letters),
-            f"The right one is none of these. {KNOB}",
-        )
-        for letters in ("AE", "BE", "AD", "BD", "DE", "ADE", "BDE", "ABE", "ABD")
     },
     "offset": {
         "2 − K": (
@@ -192,7 +185,7 @@ WRONG = {
         ),
     },
     "data_sheet": {
-        "log10": (lambda: 36 / (2 * np.log10(2)), "The formula holds with the natural logarithm: `np.log(2)`, not `np.log10(2)`."),
+        "log10": (lambda: 36 / (2 * np.log10(2)), "59.8 comes from `np.log10(2)`. The formula holds with the natural logarithm, `np.log(2)`."),
     },
     "two_point_start": {
         "roots": (deviations, "The mean is right. A covariance holds variances: R, R/dt and 2R/dt², without roots."),
@@ -220,7 +213,7 @@ WRONG = {
         ),
     },
     "widest_belief": {
-        "400 as σ": (40000, "You put in 400 m as σ. 400 m is the distance d, and σ is unknown: σ²/(2 · 400 m) = 2 m."),
+        "400 as σ": (40000, "40000 is 400²/(2 · 2), with 400 m as σ. 400 m is the distance d, and σ is unknown: σ²/(2 · 400 m) = 2 m."),
     },
     "mended_slope": {
         "turn with a plus": (

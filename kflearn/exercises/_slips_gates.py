@@ -75,7 +75,7 @@ WRONG = {
         ),
         "Q": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > n**2 * (P + R + 0.2),
-            "You add a number to S = P + R, such as a Q. P is the variance of the prediction here: Q is in it already.",
+            "Your S is a little more than P + R, as if a Q had been added. P is the variance of the prediction here: Q is in it already.",
         ),
         "always": (lambda z, x, P, R, n: True, "You refuse every reading."),
         "never": (lambda z, x, P, R, n: False, "You refuse no reading."),
@@ -89,10 +89,10 @@ WRONG = {
         distance={"short": "", "plain": FAR, "mod": ROUND},
         variance={
             "S": "",
-            "R": "You compare with R only. The prediction has an error too: S = P + R.",
-            "P": "You compare with P only. The reading has an error too: S = P + R.",
+            "R": "The gate is made with R only. The prediction has an error too: S = P + R.",
+            "P": "The gate is made with P only. The reading has an error too: S = P + R.",
             "squares": "P and R are variances already: they are not squared. S = P + R.",
-            "product": "You multiplied P and R. Variances of independent errors add up: S = P + R.",
+            "product": "Your S is P · R. Variances of independent errors add up: S = P + R.",
         },
         limit={
             "n²": "",
@@ -100,7 +100,7 @@ WRONG = {
             "S": "You compare degrees with a variance, which is in square degrees: the standard deviation is √S.",
             "half": "Your gate is half as wide as it should be: ± sigmas standard deviations, on each side.",
             "twice": "Your gate is twice as wide as it should be: ± sigmas standard deviations, on each side.",
-            "3": "You wrote 3σ into the function. How wide the gate is, is said by sigmas.",
+            "3": "Your gate is 3σ wide, whatever `sigmas` is.",
             "1": "Your gate is one standard deviation wide. How wide it is, is said by sigmas.",
             "n S": "You compare a square with a width in degrees: square both sides, or none.",
         },
@@ -193,7 +193,7 @@ WRONG = {
         ),
         "their mean": (
             lambda old, z, w: int(abs(angle_difference(np.mean(old), z)) <= w),
-            "You compare the mean of the refused readings. Compare each of them with the new one, and count.",
+            "That is 1 or 0 for the mean of the refused readings. Compare each of them with the new one, and count.",
         ),
         "among themselves": (
             lambda old, z, w: np.sum(abs(angle_difference(old, old[0])) <= w),

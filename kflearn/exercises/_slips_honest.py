@@ -8,7 +8,7 @@ WRONG = {
     "interval": {
         "seconds as runs": (
             lambda: chi_square_interval(2, 50 * 79),
-            "You counted each second as a run of its own. Within a run neighbouring errors are alike, so the average over 50 runs is that of 50 independent values.",
+            "Those are the limits for 50 · 79 runs, one for each second of 50 voyages. Within a run neighbouring errors are alike, so the average over 50 runs is that of 50 independent values.",
         ),
         "99 %": (
             lambda: chi_square_interval(2, 50, 0.99),
@@ -20,11 +20,11 @@ WRONG = {
         ),
         "a bell, 2σ": (
             lambda: (2 - 4 / np.sqrt(50), 2 + 4 / np.sqrt(50)),
-            "You took ±2σ of a bell shape. The distribution is lopsided: take chi-square's own quantiles.",
+            "That is 2 ± 2 · 2/√50, ±2σ of a bell shape. The distribution is lopsided: take chi-square's own quantiles.",
         ),
         "one run, divided": (
             lambda: tuple(np.divide(chi_square_interval(2, 1), 50)),
-            "You took the limits for one run and divided them by 50. The sum of 50 has a distribution of its own, with 50 · 2 degrees of freedom.",
+            "Those are the limits for one run, divided by 50. The sum of 50 has a distribution of its own, with 50 · 2 degrees of freedom.",
         ),
         "their distance": (
             lambda: (2.0, 2.0),

@@ -55,7 +55,7 @@ WRONG = {
         ),
         "P twice": (
             lambda e, P: e @ np.linalg.inv(P @ P) @ e,
-            "You inverted P P. P holds variances already: it stands once between the two e.",
+            "That is eᵀ P⁻¹ P⁻¹ e. P holds variances already: P⁻¹ stands once between the two e.",
         ),
         "over the determinant": (
             lambda e, P: e @ np.linalg.inv(P) @ e / np.linalg.det(P),

@@ -15,7 +15,10 @@ def table(a, b, c, d):
 
 WRONG = {
     "three_readings": {
-        "no brackets": (145, "Only the 66 was divided by 3. Put brackets around the sum: (61 + 62 + 66) / 3."),
+        "no brackets": (
+            145,
+            "145 is 61 + 62 + 66/3: only the 66 is divided by 3. Put brackets around the sum: (61 + 62 + 66) / 3.",
+        ),
         "from 60": (3, "If you counted from 60 m, 3 m is the mean of 1, 2 and 6 m: add the 60 m again."),
         "scatter, n − 1": (lambda: np.std([61, 62, 66], ddof=1), SCATTER),
         "scatter": (lambda: np.std([61, 62, 66]), SCATTER),
@@ -30,7 +33,7 @@ WRONG = {
             62.5,
             "That is the mean of 61 and 64, the mean of the last two. The 61 then counts as much as the other two together.",
         ),
-        "by four": (47.25, "You divided by 4. There are three readings."),
+        "by four": (47.25, "47.25 is 189/4. There are three readings."),
     },
     "update_mean": {
         "√n": (

@@ -104,13 +104,13 @@ WRONG = {
         ),
         "σ for σ², all through": (
             lambda: math.sqrt(3 + 3 - 2 * 0.8 * 3),
-            "You set 3 where 3² belongs: 3 mm is a σ. The variances are 9 mm², and the corner is 0.8 · 3 · 3.",
+            "1.1 is √(3 + 3 − 2 · 0.8 · 3), with 3 where 3² belongs: 3 mm is a σ. The variances are 9 mm², and the corner is 0.8 · 3 · 3.",
         ),
     },
     "told_speed": {
         "R = 1": (
             lambda: 10 + 6 / 14 * 3,
-            "You added 1 m² to the variance of the position. This tape is perfect: the variance of its error is 0.",
+            "11.29 is 10 + 6/14 · 3, with 1 m² added to the variance of the position. This tape is perfect: the variance of its error is 0.",
         ),
         "0.9": (
             lambda: 10 + 0.9 * 3,
@@ -118,7 +118,7 @@ WRONG = {
         ),
         "variances": (
             lambda: 10 + 4 / 13 * 3,
-            "You divided the variance of the velocity by that of the position. On top belongs what the two share, the corner.",
+            "10.92 is 10 + 4/13 · 3: that is the variance of the velocity over that of the position. On top belongs what the two share, the corner.",
         ),
     },
     "scale_for": {
@@ -162,11 +162,11 @@ WRONG = {
         ),
         "P diagonal": (
             [[18, 6], [6, 4]],
-            "You left out the corner of P, the 1. It belongs to the new corner, and twice to the upper left.",
+            "That is the result without the corner of P, the 1. It belongs to the new corner, and twice to the upper left.",
         ),
         "P diagonal, without Q": (
             [[14, 6], [6, 3]],
-            "You left out the corner of P, the 1, and Q is missing.",
+            "Two things are missing: the corner of P, the 1, and Q.",
         ),
         "corner kept": (
             [[22, 1], [1, 4]],
@@ -182,25 +182,25 @@ WRONG = {
         ),
         "the lesson's P and Q": (
             lambda: F @ np.diag([1.0, 0.0]) @ F.T + np.diag([4.0, 0.0]),
-            "You used P and Q of the lesson. Here they are [[2, 1], [1, 3]] and diag(4, 1).",
+            "That is the result for P and Q of the lesson. Here they are [[2, 1], [1, 3]] and diag(4, 1).",
         ),
     },
     "speedometer": {
         "gain added": (
             61.2,
-            "You added K₁ alone. It is a gain, in m for each m/s: multiply it by the innovation first.",
+            "61.2 is 60 + K₁. K₁ is a gain, in m for each m/s: multiply it by the innovation first.",
         ),
         "whole reading": (
             lambda: 60 + 1.2 * 13,
-            "You multiplied K₁ by the whole reading. What counts is the innovation: the reading less what was expected of it.",
+            "75.6 is 60 + K₁ · 13, with the whole reading. What counts is the innovation: the reading less what was expected of it.",
         ),
         "6/10": (
             lambda: 60 + 0.6 * 3,
-            "Your gain is 0.6. K₁ is the corner over the variance of the innovation, and that is made from the velocity's variance and R.",
+            "61.8 is 60 + 0.6 · 3, and 0.6 is not K₁. K₁ is the corner over the variance of the innovation, and that is made from the velocity's variance and R.",
         ),
         "moved on, new speed": (
             lambda: 60 + 12.4,
-            "You let the cart roll on, with the new speed. x̂⁻ is predicted already: only the correction is wanted.",
+            "72.4 is 60 + 12.4, one more second at the new speed. x̂⁻ is predicted already: only the correction is wanted.",
         ),
     },
     "misprints": {

@@ -43,7 +43,15 @@ def of_interval(limits):
         return None
     share = 100 * np.ptp(chi2.cdf(np.multiply(limits, 50), 100))
     if share > 99.5:
-        return "An interval that holds every filter tests nothing: of 100 honest averages 95 should be inside."
+        single = np.allclose(limits, chi2.ppf([0.025, 0.975], 2), rtol=0.02)
+        words = (
+            "Those are the limits for a single run. An"
+            if single
+            else "Practically every average lies between these limits: an"
+        )
+        return (
+            f"{words} average of 50 runs scatters far less: chi-square with 50 · 2 degrees of freedom, divided by 50."
+        )
     return f"Between {low:.4g} and {high:.4g} lie {share:.3g} % of the averages. 95 % are wanted, and 2.5 % on either side."
 
 
@@ -73,7 +81,7 @@ MYSTERY = heard(
 KNOB = heard({r"^9(\.0)?\b": "9 is by how much. Asked is what is to be multiplied by it: answer with a letter."})
 
 WRONG = {
-    "three_readings": {"by ten": (18.9, "You divided the sum by 10. Here there are three readings.")},
+    "three_readings": {"by ten": (18.9, "18.9 is 189/10. Here there are three readings.")},
     "update_mean": {
         "z alone divided": (
             lambda mean, n, z: (n - 1) * mean + z / n,

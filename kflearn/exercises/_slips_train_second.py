@@ -12,15 +12,15 @@ WRONG = {
     "data_sheet": {
         "1.18 · 6, squared": (
             lambda: (6 * 1.18) ** 2,
-            "You multiplied by 1.18, and squared. The radius is the larger number here, σ the smaller: divide, then square.",
+            "50.1 is (1.18 · 6)². The radius is the larger number here, σ the smaller: divide, then square.",
         ),
         "rms distance, 1.41": (
             lambda: (6 / 1.41) ** 2,
-            "You took 6 m for the rms distance, 1.41 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
+            "18.1 is (6/1.41)², with 6 m for the rms distance, 1.41 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
         ),
         "95 %": (
             lambda: (6 / 2.45) ** 2,
-            "You took 6 m for the radius that holds 95 % of the fixes, 2.45 σ. This one holds half of them, and is 1.18 σ.",
+            "6.0 is (6/2.45)², with 6 m for the radius that holds 95 % of the fixes, 2.45 σ. This one holds half of them, and is 1.18 σ.",
         ),
     },
     "two_point_start": {

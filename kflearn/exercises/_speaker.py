@@ -117,7 +117,7 @@ def of_two(answers, recordings):
         count = f"In {sum(early)} of {len(early)} recordings with two speakers"
         return f"{count} the filter comes to the new speaker before the change: it looks ahead, and switches too early."
     if np.mean(arrived) < 0.5:
-        return "After a change the filter must come to the new speaker within 30 readings: does your gate open again?"
+        return "After a change the filter must come to the new speaker within 30 readings: does a gate open again, and do new readings count enough?"
     if np.mean(slow) > 0.3:
         return "After a change the filter comes to the new speaker, but later than 30 readings: new readings must count for more when many of them agree."
     words = of_one(answers, recordings)

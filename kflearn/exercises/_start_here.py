@@ -26,7 +26,7 @@ WRONG = {
         ),
         "root of eight": (
             lambda: math.sqrt(8),
-            "You took a root where a square is needed: from √n = 8 follows n = 8², not n = √8.",
+            "2.83 is √8, a root where a square is needed: from √n = 8 follows n = 8², not n = √8.",
         ),
         "the variance": (
             lambda: 0.25**2,
@@ -36,13 +36,16 @@ WRONG = {
             32,
             "32 is 2/0.25², or 2 · 4²: one of the two numbers is squared, the other is not. Divide variance by variance, or σ by σ and then square.",
         ),
-        "squared twice": (4096, "4,096 readings give 2/√4096 = 0.03 m: more than was asked for. You squared twice."),
+        "squared twice": (
+            4096,
+            "4,096 readings give 2/√4096 = 0.03 m: more than was asked for. 4,096 is 8⁴, and 8² is enough.",
+        ),
         "one too many": (65, "65 is more than needed: 0.25 m itself is allowed."),
         "one too few": (63, "With 63 readings σ is 0.252 m: just not there yet."),
         "what is wanted": (0.25, "0.25 m is the σ that is wanted. How many readings bring it about?"),
         "ratio upside down": (
             0.125,
-            "You divided the wrong way round. 2/0.25 = 8 says how many times smaller σ must become.",
+            "0.125 is 0.25/2, the ratio the wrong way round. 2/0.25 = 8 says how many times smaller σ must become.",
         ),
         "1/0.25": (
             4,
@@ -149,7 +152,7 @@ WRONG = {
         ),
         "root of the sum": (
             lambda error: np.sqrt(np.sum(error**2)),
-            "You took the sum of the squares: it grows with every reading. Take their mean.",
+            "That is the root of the sum of the squares, which grows with every reading. Take their mean.",
         ),
         "root of the sum, divided": (
             lambda error: np.sqrt(np.sum(error**2)) / len(error),
@@ -165,7 +168,7 @@ WRONG = {
         ),
         "size of the mean": (
             lambda error: np.sqrt(np.mean(error) ** 2),
-            "You took the mean before you squared, so that errors of +5 and −5 m cancel. Square each error first.",
+            "That is the size of the mean error, in which errors of +5 and −5 m cancel. Square each error first; then take the mean, and the root.",
         ),
         "largest": (
             lambda error: np.max(abs(error)),
@@ -173,7 +176,7 @@ WRONG = {
         ),
         "mean squared": (
             lambda error: np.mean(error) ** 2,
-            "You took the mean first, so that errors of +5 and −5 m cancel, and the root is missing. Square each error, then mean, then root.",
+            "That is the square of the mean error, in which errors of +5 and −5 m cancel. Square each error, then take the mean, then the root.",
         ),
         "no square": (
             lambda error: np.sqrt(np.mean(abs(error))),

@@ -74,7 +74,7 @@ WRONG = {
         ),
         "Q forgotten": (
             lambda x, P, room, reading, Q, R: (step(x, P, reading, 0, R)[0], np.sqrt(step(x, P, reading, 0, R)[1])),
-            "You forgot to predict: P grows by Q before the gain is formed.",
+            "Q is missing: P grows by Q before the gain is formed.",
         ),
         "1 − K for K": (
             lambda x, P, room, reading, Q, R: (

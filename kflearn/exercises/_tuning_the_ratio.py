@@ -47,11 +47,11 @@ WRONG = {
         ),
         "√(KQ)": (
             lambda: math.sqrt(balance(0.01, 0.25) * 0.01),
-            "You multiplied the gain with Q. At the balance P = K·R: (9) with the K of (7).",
+            "0.0425 is √(K·Q). At the balance P = K·R: (9) with the K of (7).",
         ),
         "√(QR) for the variance": (
             lambda: (0.01 * 0.25) ** 0.25,
-            "You took √(QR), 0.05 °C², for the variance after the reading. That is nearly right for a very small q only: "
+            "0.224 is the root of 0.05 °C², which is √(QR), or √q · R. That is nearly the variance after the reading for a very small q only: "
             "solve K² + qK − q = 0, and P = K·R.",
         ),
         "forgotten memory": (
@@ -60,16 +60,16 @@ WRONG = {
         ),
         "ratio upside down": (
             lambda: math.sqrt(balance(0.25, 0.01) * 0.25),
-            "Your ratio is upside down: q = Q/R = 0.04, not 25.",
+            "0.491 comes from q = 25, the ratio upside down: q = Q/R = 0.04.",
         ),
         "R alone": (0.5, "That is the thermometer alone, √R. The filter remembers earlier readings and does better."),
         "sum": (
             lambda: math.sqrt(0.26),
-            "You added Q and R. The filter's variance is smaller than that of a single reading, not larger.",
+            "0.51 is √(Q + R). The filter's variance is smaller than that of a single reading, not larger.",
         ),
         "K σ": (
             lambda: balance(0.01, 0.25) * 0.5,
-            "You multiplied the gain by σ. It is the variance that is K·R: take the root after that.",
+            "0.0905 is K · 0.5, the gain times the σ of a reading. It is the variance that is K·R: take the root after that.",
         ),
         "√K": (
             lambda: math.sqrt(balance(0.01, 0.25)),
@@ -94,7 +94,7 @@ WRONG = {
         ),
         "Q + R": (
             0.26,
-            "You added Q and R. The filter's variance is smaller than that of a single reading, not larger.",
+            "0.26 is Q + R. The filter's variance is smaller than that of a single reading, not larger.",
         ),
         "Q": (
             lambda: 0.01,
@@ -112,7 +112,7 @@ WRONG = {
         ),
         "limits squared": (
             (6.25, 0.36, 0.0625),
-            "You squared the numbers of the sheets as they stand. (a) is right; (b) is 2σ, and (c) a hard limit: σ = a/√3.",
+            "Those are the squares of 2.5, 0.6 and 0.25. (a) is right; (b) is 2σ, and (c) a hard limit: σ = a/√3.",
         ),
         "95 % taken for 1σ": (
             (6.25, 0.36, 0.25**2 / 3),
@@ -120,7 +120,7 @@ WRONG = {
         ),
         "95 % taken for 3σ": (
             (6.25, 0.04, 0.25**2 / 3),
-            "(a) and (c) are right. In (b) you divided by 3; within 3σ lie 99.7 % of readings, within 2σ 95 %.",
+            "(a) and (c) are right. In (b) 0.04 is (0.6/3)²; within 3σ lie 99.7 % of readings, within 2σ 95 %.",
         ),
         "halved after squaring": (
             (6.25, 0.18, 0.25**2 / 3),
@@ -136,11 +136,11 @@ WRONG = {
         ),
         "limit as 2σ": (
             (6.25, 0.09, 0.25**2 / 4),
-            "(a) and (b) are right. In (c) you took the limit for 2σ; a rounding error lies anywhere within it with equal chance: σ = a/√3.",
+            "(a) and (b) are right. In (c) 0.0156 is (0.25/2)², which takes the limit for 2σ; a rounding error lies anywhere within it with equal chance: σ = a/√3.",
         ),
         "limit as 3σ": (
             (6.25, 0.09, 0.25**2 / 9),
-            "(a) and (b) are right. In (c) you took the limit for 3σ; a rounding error lies anywhere within it with equal chance: σ = a/√3.",
+            "(a) and (b) are right. In (c) 0.00694 is (0.25/3)², which takes the limit for 3σ; a rounding error lies anywhere within it with equal chance: σ = a/√3.",
         ),
         "√3 not squared": (
             (6.25, 0.09, 0.25**2 / math.sqrt(3)),
@@ -172,7 +172,7 @@ WRONG = {
         ),
         "(b) doubled": (
             lambda: (6.25, 1.44, 0.25**2 / 3),
-            "(a) and (c) are right. In (b) you doubled: 0.6 °C contains the 2 of 2σ already. Halve it, then square.",
+            "(a) and (c) are right. In (b) 1.44 is (2 · 0.6)²: 0.6 °C contains the 2 of 2σ already. Halve it, then square.",
         ),
         "(b) the limit itself": (
             lambda: (6.25, 0.6, 0.25**2 / 3),

@@ -6,7 +6,7 @@ WRONG = {
     "one hump": ((11, 1), "That is the likelier hump alone. The belief has both: weigh 11 by 0.7 and −11 by 0.3."),
     "half and half": (
         (0, math.sqrt(122)),
-        "You weighed the humps equally. One has the probability 0.7, the other 0.3.",
+        "0 is the mean of two humps that count equally. One has the probability 0.7, the other 0.3.",
     ),
     "width of a hump": (
         (4.4, 1),
@@ -19,11 +19,11 @@ WRONG = {
     "variance": ((4.4, 102.64), "The mean is right. 102.64 is the variance; the standard deviation is its root."),
     "about zero": (
         (4.4, math.sqrt(122)),
-        "The mean is right. You took the mean square about zero, or 11, half the distance of the humps. Take the mean square distance from 4.4, and add 1.",
+        "The mean is right. 11.05 is √(11² + 1), with 11 the distance from zero, or half the distance of the humps. Take the mean square distance from 4.4, and add 1.",
     ),
     "σ added": (
         (4.4, math.sqrt(101.64) + 1),
-        "The mean is right. You added standard deviations; within and between the humps the variances add.",
+        "The mean is right. 11.08 is 10.08 + 1, a sum of standard deviations; within and between the humps the variances add.",
     ),
     "weights exchanged": (
         (-4.4, math.sqrt(102.64)),
@@ -35,7 +35,7 @@ WRONG = {
     ),
     "fused": (
         (0, math.sqrt(0.5)),
-        "You fused the humps as if they were two readings of one state. The state is at one of them; which one is not known.",
+        "That is N(11, 1) and N(−11, 1) fused, as if they were two readings of one state. The state is at one of them; which one is not known.",
     ),
     "fused by weight": (
         (4.4, math.sqrt(0.5)),
@@ -47,15 +47,15 @@ WRONG = {
     ),
     "weights squared": (
         (4.4, math.sqrt(0.49 + 0.09)),
-        "The mean is right. You squared the weights, as one does for the weighed mean of two readings. Here the state is at one hump or at the other: take the mean square distance from 4.4, and add the width.",
+        "The mean is right. 0.762 is √(0.7² + 0.3²), with squared weights, as for the weighed mean of two readings. Here the state is at one hump or at the other: take the mean square distance from 4.4, and add the width.",
     ),
     "spread without weights": (
         (4.4, math.sqrt(1 + 6.6**2 + 15.4**2)),
-        "The mean is right. You added both squared distances in full: weigh each of them by the probability of its hump.",
+        "The mean is right. In 16.8 both squared distances count in full: weigh each of them by the probability of its hump.",
     ),
     "spread half and half": (
         (4.4, math.sqrt(1 + (6.6**2 + 15.4**2) / 2)),
-        "The mean is right. You weighed the squared distances equally; the humps have the probabilities 0.7 and 0.3.",
+        "The mean is right. In 11.9 both squared distances count equally; the humps have the probabilities 0.7 and 0.3.",
     ),
     "11 for 22": (
         (4.4, math.sqrt(1 + 0.21 * 121)),
@@ -63,7 +63,7 @@ WRONG = {
     ),
     "sum of the σ": (
         (4.4, 2),
-        "The mean is right. You added the σ of the humps. What counts most is how far each hump is from 4.4.",
+        "The mean is right. 2 is the sum of the σ, or of the variances, of the humps. What counts most is how far each hump is from 4.4.",
     ),
     "half and half, right spread": (
         (0, math.sqrt(102.64)),
@@ -79,10 +79,10 @@ WRONG = {
     ),
     "distances, not squared": (
         (4.4, 0.7 * 6.6 + 0.3 * 15.4),
-        "The mean is right. You took the mean of the distances. Square each of them first, and take the root last.",
+        "The mean is right. 9.24 is the mean of the distances. Square each of them first, and take the root last.",
     ),
     "distances and width": (
         (4.4, 0.7 * 6.6 + 0.3 * 15.4 + 1),
-        "The mean is right. You added distances and width as they are. Square each of them first, and take the root last.",
+        "The mean is right. 10.24 is the mean of the distances, 9.24, and the width. Square each of them first, and take the root last.",
     ),
 }

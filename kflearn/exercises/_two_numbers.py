@@ -122,13 +122,13 @@ WRONG = {
         ),
         "added": (
             math.sqrt(18 + 14.4),
-            "You added the corner. The length is a difference: A = [−1, 1], and the products of A's entries with the corner are negative.",
+            "5.69 is √(9 + 9 + 2 · 7.2), the σ of a sum. The length is a difference: A = [−1, 1], and the products of A's entries with the corner are negative.",
         ),
         "variance": (3.6, "3.6 mm² is the variance of the length. σ is its root."),
         "corner once": (math.sqrt(18 - 7.2), "The corner stands twice in P, so it counts twice: 9 + 9 − 2 · 7.2."),
         "σ instead of σ²": (
             math.sqrt(6 - 1.6),
-            "You put σ = 3 mm on the diagonal. A covariance matrix holds variances: 9 mm², and 0.8 · 3 · 3 in the corner.",
+            "2.1 is √(3 + 3 − 2 · 0.8), with σ = 3 mm on the diagonal. A covariance matrix holds variances: 9 mm², and 0.8 · 3 · 3 in the corner.",
         ),
         "correlation as covariance": (
             math.sqrt(18 - 1.6),
@@ -144,10 +144,13 @@ WRONG = {
             0.0,
             "0 would be so if the two errors were equal, with correlation 1. These share only a part: the two variances add up, and twice the corner is subtracted.",
         ),
-        "1 − ρ of σ": (0.6, "A share of the σ's is not enough. Calculate with variances: A P Aᵀ, then the root."),
+        "1 − ρ of σ": (
+            0.6,
+            "0.6 is 3 · (1 − 0.8), or √(1 − 0.8²): a share of one σ is not the σ of a difference. Calculate with variances: A P Aᵀ, then the root.",
+        ),
         "√(1 − ρ²)": (
             1.8,
-            "3 · √(1 − 0.8²) is what is left of one end's σ when the other end's error is known. The difference of the two is asked for: A P Aᵀ.",
+            "1.8 is 3 · √(1 − 0.8²), what is left of one end's σ when the other end's error is known; or 9 − 7.2, one variance less the corner. The difference of the two is asked for: A P Aᵀ, and its root.",
         ),
         "0.9·": (0.8, "That is the correlation. Build P from it and calculate A P Aᵀ with A = [−1, 1]."),
         "corner": (7.2, "7.2 mm² is the corner of P. Go on: 9 + 9 − 2 · 7.2, and the root."),
@@ -167,15 +170,15 @@ WRONG = {
         ),
         "minus": (
             10 - 6 / 13 * 3,
-            "You went the wrong way: the corner is positive, so carts that are further ahead are faster.",
+            "That is slower than the average cart. The corner is positive, so carts that are further ahead are faster: 10 m/s and the step, not 10 m/s less the step.",
         ),
         "corner": (
             10 + 6 * 3,
-            "You used the corner as it is. It must be divided by the variance of the position, 13 m².",
+            "28 is 10 + 6 · 3. The corner must be divided by the variance of the position, 13 m².",
         ),
         "over the velocity's variance": (
             10 + 6 / 4 * 3,
-            "You divided by the variance of the velocity, 4. What was told is the position: divide by its variance, 13 m².",
+            "14.5 is 10 + 6/4 · 3, with the variance of the velocity below the line. What was told is the position: divide by its variance, 13 m².",
         ),
         "the reciprocal": (
             10 + 13 / 6 * 3,
@@ -183,11 +186,11 @@ WRONG = {
         ),
         "roots": (
             10 + 6 / math.sqrt(13) * 3,
-            "You divided by σ of the position. The step is corner over variance: 6 / 13.",
+            "14.99 is 10 + 6/√13 · 3, with σ of the position below the line. The step is corner over variance: 6 / 13.",
         ),
         "correlation": (
             10 + 6 / math.sqrt(52) * 3,
-            "You used the correlation, 6/√(13 · 4), which has no unit. Corner over variance of the position has (m/s)/m.",
+            "12.5 is 10 + 0.832 · 3. 0.832 is the correlation, 6/√(13 · 4), which has no unit. Corner over variance of the position has (m/s)/m.",
         ),
         "both σ": (
             10 + math.sqrt(4 / 13) * 3,
@@ -197,7 +200,7 @@ WRONG = {
         "ratio alone": (6 / 13, "That is how much faster for each metre. Go on: 3 m, and on top of 10 m/s."),
         "3 m in a second": (
             13.0,
-            "You added the 3 m as if they were m/s. Take corner over variance, 6/13 (m/s)/m, for each of the 3 m.",
+            "13 is 10 + 3, metres added to metres per second; or it is the variance of the position. Take corner over variance, 6/13 (m/s)/m, for each of the 3 m, on top of 10 m/s.",
         ),
     },
     "scale_for": {

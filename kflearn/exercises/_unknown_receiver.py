@@ -41,9 +41,9 @@ def raw(answers, recordings):
     return all(np.allclose(pair(answer)[0][:, 0], inputs[0]) for answer, (inputs, _) in pairs)
 
 
-def gained(cov, Q=Q):
-    """What each of the first corrections has added to P⁻¹: Hᵀ H / R, where P follows from F and Q."""
-    return np.linalg.inv(cov[1:20]) - np.linalg.inv(F @ cov[:19] @ F.T + Q)
+def gained(cov, Q=Q, move=lambda P: F @ P @ F.T):
+    """What each of the first corrections has added to P⁻¹: Hᵀ H / R, where P follows from F and Q, or in another way."""
+    return np.linalg.inv(cov[1:20]) - np.linalg.inv(move(cov[:19]) + Q)
 
 
 def one_R(added):
@@ -64,6 +64,7 @@ def used_Q(cov):
     return float(factor) if np.all(abs(factors - factor) < 0.05 * abs(factor)) and factor > 0 else None
 
 
+NEARLY = "Your R is nearly right in most recordings. An R that is found from more of the readings comes nearer."
 BY_HAND = [
     (
         np.var,
@@ -90,8 +91,39 @@ def roots(covs):
         return False
 
 
+MOVES = {
+    "P + Q, without F": lambda P: P,
+    "Fᵀ P F + Q": lambda P: F.T @ P @ F,
+    "F P + Q, without Fᵀ": lambda P: F @ P,
+}
+
+
+def moved(covs):
+    """How P is predicted, where it is not F P Fᵀ + Q and one R explains each recording; else None."""
+    for name, move in MOVES.items():
+        if all(one_R(gained(cov, move=move)) is not None for cov in covs):
+            return f"Your P is predicted as {name}. It is F P Fᵀ + Q: a speed that is not known well makes the position less certain."
+    return None
+
+
+def of_the_means(answers, recordings, Rs):
+    """What is said of means that do not move by the gain that P says; None where they do."""
+    for answer, ((z,), _), R in zip(answers, recordings, Rs, strict=True):
+        mean, cov = pair(answer)
+        ahead = mean[:19] @ F.T
+        right = ahead + cov[1:20, :, 0] / R * (z[1:20] - ahead[:, 0])[:, None]  # P Hᵀ / R is the gain
+        if not np.allclose(mean[1:20], right, rtol=1e-3, atol=0.02 * np.sqrt(R)):
+            return (
+                "Your P is that of a filter with about the right R. But the means do not follow with it: predict x by F, and add "
+                "K times the reading minus the predicted position, with the K of the same step."
+            )
+    return None
+
+
 def of_Q_or_many_R(covs):
-    """What is said where no single R explains a recording: another Q, or an R for each reading."""
+    """What is said where no single R explains a recording: another prediction, another Q, or an R for each reading."""
+    if words := moved(covs):
+        return words
     factors = [used_Q(cov) for cov in covs]
     if None not in factors and any(abs(factor - 1) > 0.05 for factor in factors):
         return (
@@ -104,7 +136,9 @@ def of_Q_or_many_R(covs):
             f"In recording 1 your R changes from reading to reading; it is mostly between {low:.3g} and {high:.3g} m². "
             "One innovation says little: find one R from the whole recording."
         )
-    return None
+    return (
+        "Your P does not follow from F P Fᵀ + Q and corrections with one R in each recording: look at both lines of P."
+    )
 
 
 def named(answers, recordings):
@@ -130,7 +164,8 @@ def named(answers, recordings):
     for formula, words in BY_HAND:
         if np.allclose(Rs, [formula(z) for (z,), _ in recordings], rtol=0.02):
             return words
-    return of_R(np.array(Rs), np.array([np.var(z - truth[:, 0]) for (z,), truth in recordings]))
+    words = of_R(np.array(Rs), np.array([np.var(z - truth[:, 0]) for (z,), truth in recordings]))
+    return words or of_the_means(answers, recordings, Rs) or NEARLY
 
 
 def of_R(used, right):
@@ -163,8 +198,15 @@ def _times(ratio):
 
 
 def look(otherwise):
-    """What to look at: what can be seen in the covariances, or something else."""
-    return lambda answers, recordings: named(answers, recordings) or otherwise
+    """What to look at: what can be seen in means and covariances, or something else where a P has no inverse."""
+
+    def words(answers, recordings):
+        try:
+            return named(answers, recordings)
+        except np.linalg.LinAlgError:
+            return otherwise
+
+    return words
 
 
 # ---- designs

@@ -28,7 +28,7 @@ WRONG = {
         "1 − K": (9 / 14, "That is 1 − K, the weight of the prediction; the gain has P⁻ on top."),
         "σ for σ²": (
             math.sqrt(5) / (math.sqrt(5) + 3),
-            "You weighed with standard deviations; the gain takes variances.",
+            "0.427 is √5/(√5 + 3), made of standard deviations; the gain takes variances.",
         ),
         "steady gain": (
             lambda: (math.sqrt((3 / 9) ** 2 + 4 * 3 / 9) - 3 / 9) / 2,
@@ -39,7 +39,10 @@ WRONG = {
             "That is the second gain of the lesson, where P, Q and R are all 4 V². Here they are 2, 3 and 9 V².",
         ),
         "golden": (0.618034, "0.618 is the steady gain for Q = R. Here Q is 3 V² and R is 9 V²."),
-        "Q twice": (8 / 17, "Q was added twice: only one prediction lies between the first and the second reading."),
+        "Q twice": (
+            8 / 17,
+            "0.471 is 8/17, with Q added twice: only one prediction lies between the first and the second reading.",
+        ),
         "P before": (
             5,
             "5 V² is the variance before the second reading. The gain is a pure number: which part of P⁻ + R is it?",
@@ -54,17 +57,17 @@ WRONG = {
         ),
         "R not added": (
             5 / 9,
-            "You divided P⁻ by R alone. The gain is a part of the whole: P⁻/(P⁻ + R), never more than 1.",
+            "0.556 is P⁻/R. The gain is a part of the whole: P⁻/(P⁻ + R), never more than 1.",
         ),
         "P forgotten": (
             3 / 12,
-            "You took P⁻ for Q alone. What was left from the first reading counts too: P⁻ = P + Q = 5 V².",
+            "0.25 is Q/(Q + R). What was left from the first reading counts too: P⁻ = P + Q = 5 V².",
         ),
         "P by Q": (0.4, "That is P/(P + Q). The gain compares the prediction with the reading: P⁻/(P⁻ + R)."),
         "Q by R": (1 / 3, "That is the ratio Q/R. The gain is P⁻/(P⁻ + R), with P⁻ = P + Q."),
         "Q and R exchanged": (
             11 / 14,
-            "You exchanged Q and R: Q is what P grows by, R belongs to the reading.",
+            "0.786 is (P + R)/(P + R + Q), with Q and R exchanged: Q is what P grows by, R belongs to the reading.",
         ),
         "P after in the gain": (
             9 / 11,
@@ -118,7 +121,7 @@ WRONG = {
         ),
         "4 for 4q": (
             lambda Q, R: (math.sqrt((Q / R) ** 2 + 4) - Q / R) / 2,
-            "You solved K² + qK − 1 = 0. The last term is q: K² + qK − q = 0.",
+            "That is the solution of K² + qK − 1 = 0. The last term is q: K² + qK − q = 0.",
         ),
         "sign of q": (
             lambda Q, R: (math.sqrt((Q / R) ** 2 + 4 * Q / R) + Q / R) / 2,

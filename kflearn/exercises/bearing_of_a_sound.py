@@ -6,6 +6,7 @@ from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
 from kflearn.exercises._is_a_covariance import WRONG as NO_COVARIANCE
 from kflearn.exercises._slips_bearing import WRONG as MORE
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_third import WRONG as THIRD
@@ -79,7 +80,7 @@ def stuck_rates(rng):
         "offset = (1 − K)(offset + dt·x₁). Bring the offset to one side: offset·K = (1 − K)·dt·x₁.",
     ],
     inputs=stuck_rates,
-    wrong=WRONG["offset"] | MORE["offset"] | THIRD["offset"] | FOURTH["offset"],
+    wrong=WRONG["offset"] | MORE["offset"] | THIRD["offset"] | FOURTH["offset"] | FIFTH["offset"],
     then="For the golden gain 0.618 the factor (1 − K)/K is 0.618 as well. What does the offset become when K nears 1?",
 )
 def offset(x1, K, dt):

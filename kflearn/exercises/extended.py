@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises import _two_humps
 from kflearn.exercises._extended import WRONG
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import WINNER
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
@@ -47,7 +48,10 @@ def growth_beliefs(rng):
         "Swap two lines: first `F = move_slope(x)`, then `x = move(x, u)`, then P = F * P * F + 10.",
     ],
     inputs=growth_beliefs,
-    wrong=WRONG["mended_prediction"] | THIRD["mended_prediction"] | FOURTH["mended_prediction"],
+    wrong=WRONG["mended_prediction"]
+    | THIRD["mended_prediction"]
+    | FOURTH["mended_prediction"]
+    | FIFTH["mended_prediction"],
     then="At x = 2 the slope is −2.5, at 0 it is 25.5, ten times as large. So it matters at which place the slope is taken.",
 )
 def mended_prediction(x, P, u):
@@ -87,7 +91,7 @@ def winner():
         "For the variance take the mean square distance from that mean: 0.7·(11 − mean)² + 0.3·(−11 − mean)², and add the variance within a hump.",
         "The mean is 0.7·11 − 0.3·11 = 4.4. The variance is 0.7·6.6² + 0.3·15.4² + 1² = 102.64; take its root.",
     ],
-    wrong=_two_humps.WRONG,
+    wrong=_two_humps.WRONG | FIFTH["both_humps"],
     otherwise=of_humps,
     then="The rms error of the answer 4.4 is 10.1. The answer +11, where the state probably is, has 12.1: when it is wrong, it is wrong by 22. "
     "So the mean is the best single number by the squared error, although the state is never there.",

@@ -8,6 +8,8 @@ from kflearn.exercises._claimed_and_real import WRONG as LAST
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_belief import WRONG as MORE
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
+from kflearn.exercises._slips_fifth_early import on_a_grid
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_third import WRONG as THIRD
@@ -24,7 +26,7 @@ def two_opinions(rng):
 @exercise(
     hints=[
         lambda last: (
-            "You have formed K = 0.8333 / (0.8333 + 2). What stands in (12), σ or σ²?"
+            "62.94 comes from K = 0.8333 / (0.8333 + 2). What stands in (12), σ or σ²?"
             if is_about(last, 62.9412, within=2e-4)
             else "The satellite's number is a standard deviation. Formulas (10)–(14) want variances."
         ),
@@ -67,7 +69,7 @@ def fuse(mean_x, var_x, mean_z, var_z):
         "You need 1/5 + n ≥ 1/0.3².",
         "1/0.09 − 0.2 = 10.91, and readings come in whole numbers.",
     ],
-    wrong=WRONG["readings_needed"] | THIRD["readings_needed"],
+    wrong=WRONG["readings_needed"] | THIRD["readings_needed"] | FIFTH["readings_needed"],
     unit="readings",
     otherwise=lambda n: (
         f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n."
@@ -114,7 +116,8 @@ def three_covariances(rng):
         "−2 (1 − K) P + 2 K R + 2 (1 − 2 K) c = 0. Collect what belongs to K: K (P + R − 2 c) = P − c.",
     ],
     inputs=three_covariances,
-    wrong=LAST["common_cause"] | MORE["common_cause"],
+    wrong=LAST["common_cause"] | MORE["common_cause"] | FIFTH["common_cause"],
+    otherwise=on_a_grid,
     then="With c = 0 this is (12). If c is larger than P, K is negative; if it is larger than R, K is above 1: then the best estimate is not even between the two numbers.",
 )
 def common_cause(P, R, c):

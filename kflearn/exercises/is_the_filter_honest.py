@@ -147,7 +147,7 @@ def draw_start(mean, variances, normal):
             "position error (rms)",
             rms(0),
             high=7.5,
-            above=look("That is more than a filter with the right R needs. Does each recording get an R of its own?"),
+            above=look("That is more than a filter with the right R needs."),
             unit="m",
         ),
         Mark(
@@ -155,7 +155,7 @@ def draw_start(mean, variances, normal):
             inside(0),
             90,
             98,
-            below=look("The claim is too small: is R the variance, and does every recording get its own?"),
+            below=look("The claim is too small: a P without an inverse is no covariance."),
             above=look("The claim is too large: fewer would be inside with an honest σ."),
             unit="%",
         ),
@@ -164,8 +164,8 @@ def draw_start(mean, variances, normal):
             nees_of_all(),
             0.75,
             1.35,
-            below=look("Too modest: the squared errors are smaller than claimed. Is your R too large?"),
-            above=look("The claim is too small: is R the variance, and does every recording get its own?"),
+            below=look("Too modest: the squared errors are smaller than claimed."),
+            above=look("The claim is too small: a P without an inverse is no covariance."),
         ),
         Mark(
             "recordings whose own NEES / n is between 0.4 and 2.5",

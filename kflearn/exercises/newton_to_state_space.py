@@ -71,7 +71,7 @@ def motion(dt, mass, c):
         ),
         "km/h without the hour": (
             [[1, 0], [100, 0], [0, 0.001]],
-            "The tapes are right. You turned metres into kilometres, but not seconds into hours: 3,600 s for 1,000 m.",
+            "The tapes are right. 0.001 turns metres into kilometres, but not seconds into hours: 3,600 s for 1,000 m.",
         ),
         "metres per hour": (
             [[1, 0], [100, 0], [0, 3600]],
@@ -194,7 +194,7 @@ def one_after_the_other(F, x, order=(0, 1)):
         ),
         "the other order": (
             lambda F, x: one_after_the_other(F, x, (1, 0)),
-            "You exchanged the two lines. Now the line of x[0] meets the new x[1]: keep both old values first.",
+            "The line of x[0] meets the new x[1], not the old one: keep both old values first.",
         ),
         "transposed": (
             lambda F, x: F.T @ x,

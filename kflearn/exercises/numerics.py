@@ -4,6 +4,7 @@ import numpy as np
 
 from kflearn.exercises._hints import tried
 from kflearn.exercises._slips_digits import WRONG as MORE
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
@@ -166,7 +167,8 @@ def average_nees(P, K, R, claim):
     }
     | MORE["orders_of_the_root"]
     | THIRD["orders_of_the_root"]
-    | FOURTH["orders_of_the_root"],
+    | FOURTH["orders_of_the_root"]
+    | FIFTH["orders_of_the_root"],
     then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):
@@ -246,7 +248,7 @@ def smaller(first, second):
         ),
         "the roots' traces": (
             lambda one, two: one @ one.T if np.trace(one) < np.trace(two) else two @ two.T,
-            "You compared numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ.",
+            "Your function chooses as if it compared numbers of the *roots*, their traces or their sums. A root may have minus signs, so these say little: compare the traces of L Lᵀ.",
         ),
         "smaller entries": (
             lambda one, two: np.minimum(one @ one.T, two @ two.T),
@@ -258,7 +260,7 @@ def smaller(first, second):
         ),
         "first entry of the roots": (
             lambda one, two: one @ one.T if one[0, 0] < two[0, 0] else two @ two.T,
-            "You compared the first entries of the *roots*, which may have minus signs. Square them first: compare variances.",
+            "Your function chooses as if it compared the first entries of the *roots*, which may have minus signs. Square them first: compare variances.",
         ),
         "sum": (
             lambda one, two: one @ one.T + two @ two.T,

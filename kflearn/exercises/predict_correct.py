@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises._correction import WRONG as CORRECTION
 from kflearn.exercises._predict_correct import WRONG, other_letters
 from kflearn.exercises._predict_correct_misprints import WRONG as MORE
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_steps import WRONG as LATER
@@ -68,10 +69,10 @@ def correct(x, P, z, H, R):
         "P⁻Hᵀ is the second column of P⁻, [6, 4], and the variance of the innovation is 4 + 1 = 5. Which entry of K belongs to the position?",
         "K₁ = 6/5 m per m/s, and the innovation is 13 − 10 = 3 m/s.",
     ],
-    wrong=CORRECTION["speedometer"] | LATER["speedometer"] | THIRD["speedometer"],
+    wrong=CORRECTION["speedometer"] | LATER["speedometer"] | THIRD["speedometer"] | FIFTH["speedometer"],
     unit="m",
     otherwise=lambda x: (
-        f"Your answer moves the position by {x - 60:.3g} m: with an innovation of 3 m/s, a gain K₁ of {(x - 60) / 3:.3g}. Which numbers make K₁?"
+        f"Your answer is {x - 60:.3g} m from the predicted 60 m. Only K₁ times the innovation of 3 m/s is to be added, so K₁ would be {(x - 60) / 3:.3g}. Which numbers make K₁?"
     ),
     then="A speedometer has corrected a position, through the corner of P⁻. The variance of the position falls from 20 to 20 − 6/5 · 6 = 12.8 m².",
 )

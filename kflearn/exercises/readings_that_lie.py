@@ -6,6 +6,7 @@ from kflearn import angle_difference
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
 from kflearn.exercises._readings_that_lie import WRONG
+from kflearn.exercises._slips_fifth_early import shut
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_gates import WRONG as MORE
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
@@ -64,6 +65,7 @@ def openings(rng):
     inputs=openings,
     rtol=1e-9,
     wrong=WRONG["steps_shut"] | MORE["steps_shut"],
+    otherwise=shut,
     then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after about 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
 def steps_shut(away, P, Q, R):

@@ -25,7 +25,7 @@ from kflearn.exercises.engine import exercise
             "62 is the middle reading, the median. The mean uses the size of every reading, so the 66 makes it larger than the median.",
         ),
         "the sum": (189, "189 is the sum of the readings; divide it by how many there are."),
-        "divided by two": (94.5, "You divided by 2. There are three readings."),
+        "divided by two": (94.5, "94.5 is 189/2. There are three readings."),
         "between the ends": (
             63.5,
             "63.5 is halfway between the smallest and the largest reading. The mean uses all three.",
@@ -100,7 +100,7 @@ def update_mean(mean, n, z):
         "σ": (3, "3 m is the standard deviation. R is a variance: square it."),
         "6² without halving": (
             36,
-            "You squared the ±6 m of the data sheet. It is 2σ: halve it first, then square. Your R is four times too large.",
+            "36 is the square of the ±6 m of the data sheet. 6 m is 2σ: halve it first, then square. This R is four times too large.",
         ),
         "as printed": (
             6,
@@ -108,21 +108,27 @@ def update_mean(mean, n, z):
         ),
         "halved after squaring": (
             18,
-            "You squared first and halved then: 6² is (2σ)² = 4σ², and half of it is still 2σ². Halve first.",
+            "18 is twice σ²: 6² is (2σ)² = 4σ², and half of it is still 2σ². Halve the 6 m first, then square.",
         ),
-        "doubled": (144, "You doubled where you should halve: the 6 m already contains the 2 of ±2σ."),
-        "±3σ": (4, "You took ±6 m for ±3σ. Within ±3σ lie 99.7 %; the data sheet says 95 %, which is ±2σ."),
+        "doubled": (144, "144 is 12², or 4 · 6². The 6 m already contain the 2 of ±2σ: halve them, then square."),
+        "±3σ": (
+            4,
+            "4 is (6/3)², which holds if ±6 m were ±3σ. Within ±3σ lie 99.7 %; the data sheet says 95 %, which is ±2σ.",
+        ),
         "root": (
             lambda: math.sqrt(3),
-            "You took the root of σ. From a standard deviation to a variance you square.",
+            "1.73 is √3, the root of σ, or 6/√12, which is for an error that is never beyond ±3 m. From a standard deviation to a variance you square.",
         ),
         "12": (
             12,
             "12 is 6²/3, which is for an error that is never beyond its bound, or 2 · 6. Here 5 % of the readings lie outside: 6 m is 2σ. Halve it, then square.",
         ),
-        "root of 6": (lambda: math.sqrt(6), "You took the root of the 6 m. R is a square: that of σ, and 6 m is 2σ."),
-        "half of half": (2.25, "You took 6 m for the whole width. It is ±6 m, so the width is 12 m, and 6 m is 2σ."),
-        "6 by 2² the wrong way": (1.5, "You divided by 2². The 2 belongs to σ = 6/2; then square."),
+        "root of 6": (lambda: math.sqrt(6), "2.45 is the root of 6. R is a square: that of σ, and 6 m is 2σ."),
+        "half of half": (
+            2.25,
+            "2.25 is (6/4)², which holds if 6 m were the whole width. It is ±6 m, so the width is 12 m, and 6 m is 2σ.",
+        ),
+        "6 by 2² the wrong way": (1.5, "1.5 is 6/4, half of σ. Halve the 6 m once, which gives σ = 3 m; then square."),
         "95 % of it": (
             34.2,
             "The 95 % is no factor: it says that 95 of 100 readings lie within ±6 m, and that is ±2σ.",
@@ -140,7 +146,7 @@ def update_mean(mean, n, z):
             3.061224489795918,
             "That is σ, with 1.96 where this lesson says 2. R is a variance: square it.",
         ),
-        "twice the square": (72, "You squared the 6 m and doubled it. It is 2σ: halve it first, then square."),
+        "twice the square": (72, "72 is 2 · 6². The 6 m are 2σ: halve them first, then square."),
     },
     unit="m²",
     rtol=5e-3,

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn import rmse
 from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
+from kflearn.exercises._slips_fifth_early import of_a_start
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_rooms import WRONG as MORE
@@ -56,6 +57,7 @@ def days(rng, count):
     ],
     inputs=in_turn(days, 3, 6, 4, 2, 9),
     wrong=WRONG["room_filter"] | MORE["room_filter"] | FOURTH["room_filter"],
+    otherwise=lambda results, rights: of_a_start(results, room_filter.cases),
     then="A start at x = 0 with P = 10⁶ and a loop over all readings would give nearly the same: from so vague a start, the first correction makes x the first reading and P nearly R.",
 )
 def room_filter(z, Q, R):

@@ -109,15 +109,15 @@ def report(errors):
     wrong={
         "σ = 6": (
             36.0,
-            "You took 6 m for σ of an axis. Where σ is 10 m, half of the fixes lie within 11.8 m: σ is smaller than 6 m.",
+            "36 is 6², with 6 m for σ of an axis. Where σ is 10 m, half of the fixes lie within 11.8 m: σ is smaller than 6 m.",
         ),
         "as rms distance": (
             18.0,
-            "You took 6 m for the rms *distance*, √2 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
+            "18 is (6/√2)², with 6 m for the rms *distance*, √2 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
         ),
         "as mean distance": (
             lambda: 36 / (math.pi / 2),
-            "You took 6 m for the mean distance, 1.25 σ. The radius that holds half of the fixes is 1.18 σ.",
+            "22.9 is (6/1.25)², with 6 m for the mean distance, 1.25 σ. The radius that holds half of the fixes is 1.18 σ.",
         ),
         "a deviation": (
             lambda: 6 / math.sqrt(2 * math.log(2)),
@@ -125,7 +125,7 @@ def report(errors):
         ),
         "as 2σ": (
             9.0,
-            "You took 6 m for 2σ. A radius of 2σ holds 86 % of the fixes in the plane; this one holds half.",
+            "9 is (6/2)², with 6 m for 2σ. A radius of 2σ holds 86 % of the fixes in the plane; this one holds half.",
         ),
         "on a line": (
             lambda: (6 / 0.6744897501960817) ** 2,
@@ -137,7 +137,7 @@ def report(errors):
         ),
         "multiplied": (
             lambda: 36 * 2 * math.log(2),
-            "You multiplied 6 m by 1.18. The radius is the larger number here, σ the smaller: divide.",
+            "49.9 is (6 · 1.18)². The radius is the larger number here, σ the smaller: divide.",
         ),
         "not squared, not divided": (
             6.0,
@@ -145,7 +145,7 @@ def report(errors):
         ),
         "rms distance, not squared": (
             lambda: 6 / math.sqrt(2),
-            "You took 6 m for the rms distance and returned a σ. Half of the fixes lie within 1.18 σ; and R is a variance.",
+            "4.24 is 6/√2, a σ, with 6 m for the rms distance. Half of the fixes lie within 1.18 σ; and R is a variance.",
         ),
         "halved": (
             lambda: 36 / (2 * math.log(2)) / 2,
@@ -153,19 +153,19 @@ def report(errors):
         ),
         "mean distance of the lesson": (
             lambda: (60 / 12.5) ** 2,
-            "You took the lesson's 12.5 m, which is the *mean* distance. Which of the four numbers has half of the fixes inside?",
+            "23.04 is (6/1.25)², and the lesson's 12.5 m is the *mean* distance. Which of the four numbers has half of the fixes inside?",
         ),
         "half of 6 m as σ": (
             3.0,
-            "You took half of the radius. R is a variance, and half of the fixes lie within 1.18 σ, not within 2 σ.",
+            "3 is half of the radius. R is a variance, and half of the fixes lie within 1.18 σ, not within 2 σ.",
         ),
         "half of σ": (
             lambda: 6 / math.sqrt(2 * math.log(2)) / 2,
-            "You halved σ. R is the square of σ, and σ of one axis is 6 m/1.177.",
+            "2.55 is half of σ. R is the square of σ, and σ of one axis is 6 m/1.177.",
         ),
         "root of the radius over 1.18": (
             lambda: 6 / 1.177**2,
-            "You divided by the square of 1.177, and did not square the 6 m. First σ = 6 m/1.177, then the square of it.",
+            "4.33 is 6/1.177², with the 6 m not squared. First σ = 6 m/1.177, then the square of it.",
         ),
     }
     | MORE["data_sheet"]

@@ -6,8 +6,8 @@ import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_balance import WRONG as LATER
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import KNOBS
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_third import KNOB
 from kflearn.exercises._slips_third import WRONG as THIRD
@@ -80,7 +80,7 @@ def data_sheets():
         "P₀ up": ("E", "P₀ is forgotten after a few readings; the claim settles at √(K·R) whatever the start was."),
     }
     | THIRD["which_knob"]
-    | FOURTH["which_knob"],
+    | FIFTH["which_knob"],
     otherwise=lambda answer: KNOB(answer) or KNOBS(answer),
     then="Q and R multiplied by the same factor leave the gain as it was, and so the line; σ grows by the root of the factor. Nine times both turns 0.09 V into 0.27 V.",
 )

@@ -8,6 +8,7 @@ from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
 from kflearn.exercises._slips_balance import WRONG as LATER
+from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._turns import in_turn
@@ -78,7 +79,7 @@ def starts(rng, n):
         "`return np.isnan(x).any()`",
     ],
     inputs=in_turn(starts, 1, 3, 2, 5),
-    wrong=LATER["is_unknown"] | WRONG["is_unknown"] | SLIPS["is_unknown"],
+    wrong=LATER["is_unknown"] | WRONG["is_unknown"] | SLIPS["is_unknown"] | FIFTH["is_unknown"],
     then="One NaN spreads at once: in F @ x each entry becomes NaN, even where F has a zero, because 0 · NaN is NaN.",
 )
 def is_unknown(x):
@@ -122,7 +123,10 @@ def auto_start(z, H, R):
             2.0,
             "2 V² is the variance that is left; the error in volts is its root. (By chance 2 V is the error of a single reading too: the best answer must be better than that.)",
         ),
-        "K": (0.5, "That is K. The question goes on: what error is left?"),
+        "K": (
+            0.5,
+            "0.5 is K, and also the sum of the two precisions, in 1/V². The question goes on: what error is left?",
+        ),
         "filter's claim": (
             1.5723,
             "That is what the Kalman filter claims with its random walk. An answer that knows the 12 V is better.",
@@ -135,7 +139,7 @@ def auto_start(z, H, R):
         "one variance": (4.0, "4 V² is the variance of each of the two. Together they are better than each alone."),
         "root of K": (
             lambda: math.sqrt(0.5),
-            "You took the root of K. Take it of the variance that is left, 4(1 − K).",
+            "0.707 is √0.5. That 0.5 is K, or the sum of the two precisions in 1/V²; neither is a variance. Take the root of the variance that is left, 4(1 − K).",
         ),
         "variances added": (
             lambda: math.sqrt(8),
@@ -149,7 +153,7 @@ def auto_start(z, H, R):
         ),
         "one part weighed": (
             lambda: math.sqrt(5),
-            "You weighed one of the two only: (½)²·4 + 4. Both parts are weighed with ½: (½)²·4 + (½)²·4.",
+            "2.24 is the root of (½)²·4 + 4, with one part weighed. Both parts are weighed with ½: (½)²·4 + (½)²·4.",
         ),
         "sum of the variances": (
             8.0,
@@ -170,7 +174,7 @@ def auto_start(z, H, R):
         ),
         "4 taken for a σ": (
             lambda: math.sqrt(64 / 20),
-            "You took a 4 for a standard deviation. In N(12, 4) it is a variance, and the reading's 4 V² is one too.",
+            "1.79 is √3.2, and 3.2 is left when a variance of 4 is fused with one of 4² = 16. In N(12, 4) the 4 is a variance, and the reading's 4 V² is one too.",
         ),
         "average's error": (
             0.739,

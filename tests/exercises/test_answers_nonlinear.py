@@ -118,7 +118,7 @@ ANSWERS = [
     ("extended.true_starts", lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0)), "right", "as well"),
     ("extended.true_starts", lambda mean, P0, normal: mean + normal @ np.linalg.cholesky(P0), "right", ""),
     ("extended.true_starts", lambda mean, P0, normal: mean + normal * np.sqrt(P0), "wrong", "is a matrix"),
-    ("extended.both_humps", (4.4, np.sqrt(0.58)), "wrong", "You squared the weights"),
+    ("extended.both_humps", (4.4, np.sqrt(0.58)), "wrong", "with squared weights"),
     ("bearings_only.review", "Nothing is wrong", "right", ""),
     ("bearings_only.review", "(d) Nothing is wrong.", "right", ""),
     ("bearings_only.review", "reviewer D", "right", ""),

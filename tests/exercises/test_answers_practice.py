@@ -92,7 +92,7 @@ def test_right_answers_pass(name, answer):
 
 
 SAID = [
-    ("is_the_filter_honest.interval", chi_square_interval(2, 50 * 79), "You counted each second as a run"),
+    ("is_the_filter_honest.interval", chi_square_interval(2, 50 * 79), "one for each second of 50 voyages"),
     ("is_the_filter_honest.nees", lambda e, P: np.sum(np.linalg.inv(P) @ e**2), "You squared e first"),
     ("is_the_filter_honest.mystery", "Q too large or R too small", "Both agree with the minus sign"),
     ("is_the_filter_honest.draw_start", own_start, "Use those in `normal`"),
@@ -109,7 +109,7 @@ SAID = [
     ("bearing_of_a_sound.is_a_covariance", lambda P: np.allclose(P, P.T) or eig(P).min() >= 0, "Both must hold"),
     ("readings_that_lie.is_refused", lambda *given: nis(*given[:4]), "You return the NIS"),
     ("readings_that_lie.is_refused", lambda *given: nis(*given[:4]) > given[4], "sigmas² times S"),
-    ("readings_that_lie.is_refused", lambda z, x, P, R, n: nis(z, x, P + 0.2, R) > n**2, "a number"),
+    ("readings_that_lie.is_refused", lambda z, x, P, R, n: nis(z, x, P + 0.2, R) > n**2, "as if a Q had been added"),
     ("readings_that_lie.is_refused", lambda z, x, P, R, n: (z - x) % 360 > n * np.sqrt(P + R), "nearly a whole turn"),
     ("readings_that_lie.steps_shut", lambda a, P, Q, R: np.ceil((a**2 / 16 - P - R) / Q), "Your gate is 4σ wide"),
     ("readings_that_lie.steps_shut", lambda a, P, Q, R: np.ceil((a**2 / 9 - P - Q) / R), "Q and R exchanged"),
@@ -126,7 +126,7 @@ SAID = [
     ("temperature_and_free_fall.noise", lambda normal, Q: np.sqrt(np.diag(Q)) * normal, "As a column"),
     ("temperature_and_free_fall.honest_report", below_ground, "first moment underground"),
     ("train_and_ship.start_variance", lambda a, b, c: (b - a) ** 2 / 16 + ((a + b) / 2 - c) ** 2, "a quarter of"),
-    ("train_and_ship.data_sheet", 36 / 1.18, "and not the 1.18"),
+    ("train_and_ship.data_sheet", 36 / 1.18, "with the 1.18 not squared"),
     ("train_and_ship.data_sheet", 4.5, "twice the rms distance"),
     ("train_and_ship.two_point_start", lambda *given: two_fixes(*given)[0], "Return value 2 as well"),
     ("train_and_ship.two_point_start", lambda z0, z1, dt, R: two_fixes(z0, z1, dt, R**2), "R squared, in place of R"),

@@ -154,7 +154,7 @@ ANSWERS = [
     ("voltmeter.auto_start", turned_over, "`np.linalg.inv(H)`"),
     ("voltmeter.best_error", 2.83, "Or you took the 4 in both places"),
     ("voltmeter.best_error", 2.47, "comes to"),
-    ("voltmeter.best_error", 5**0.5, "one of the two only"),
+    ("voltmeter.best_error", 5**0.5, "with one part weighed"),
     ("voltmeter.whole_filter", exchanged, "You exchanged Q and R"),
     ("tuning_the_ratio.steady_sigma", 0.05**0.5, "√(QR)"),
     ("is_the_filter_honest.nees", lambda e, P: e @ e / np.linalg.det(P), "determinant"),

@@ -218,7 +218,7 @@ def test_without_threads_a_check_has_no_limit_and_works(monkeypatch):
         (lambda m, v: (m, 1 / v), "is 1 divided by what is wanted"),
         (lambda m, v: (m, 2 * v), "is twice what is wanted"),
         (lambda m, v: (m, v / 2), "is half of what is wanted"),
-        (lambda m, v: (m, np.degrees(v)), "is in degrees; radians are wanted"),
+        (lambda m, v: (m, np.degrees(v)), "is 180/π times what is wanted: degrees in place of radians?"),
         (lambda m, v: (m, 100 * v), "is 100 times too large"),
         (lambda m, v: (m, round(v, 3)), "is rounded to 3 digits after the point"),
         (lambda m, v: (m, v // 1), "`//` and `int` cut them off"),
