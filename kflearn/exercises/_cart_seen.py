@@ -1,8 +1,10 @@
 """What can be seen in the results of a cart's filter (lesson 11): what it does in the gaps, its Q, its R and its start."""
 
+from itertools import starmap
+
 import numpy as np
 
-from kflearn.exercises._cart_with_gaps import motion
+from kflearn.exercises._cart_with_gaps import motion, run
 from kflearn.exercises._judge import pair
 
 
@@ -164,9 +166,32 @@ def of_R(answers, recordings):
     return None
 
 
+def of_the_corrections(answers, recordings):
+    """What is left to look at where P grows in the gaps as it should; None where it does not."""
+    pairs = list(zip(answers, recordings, strict=True))
+    if not all(np.allclose(Q, right, rtol=1e-3, atol=1e-6 * right.max()) for Q, right, *_ in starmap(growth, pairs)):
+        return None
+    first = [np.diag([sigma**2, 9.0]) for (*_, sigma), _ in recordings]
+    if not all(np.allclose(pair(a)[1][0], P, rtol=1e-3) for a, P in zip(answers, first, strict=True)):
+        return "In the gaps P grows as it should. At the first reading it is not diag(sigma², 3²): what is known of position and speed there?"
+    right = [
+        run(z, *motion(dt, sd), sigma**2, np.array([z[0], 0]), P)[1]
+        for ((z, dt, sd, sigma), _), P in zip(recordings, first, strict=True)
+    ]
+    if all(np.allclose(pair(a)[1], P, rtol=1e-5) for a, P in zip(answers, right, strict=True)):
+        return (
+            "Your P is right at every reading, so F, Q and R are right in it. It is the mean that goes wrong: predict it by F, and "
+            "where there is a reading add K times the reading minus the predicted position, with K = P[:, 0] / (P[0, 0] + sigma²)."
+        )
+    return (
+        "In the gaps P grows as it should, and it begins as it should. Look at the corrections: K = P[:, 0] / (P[0, 0] + sigma²) is "
+        "formed of the predicted P, and it is used for the mean and for P."
+    )
+
+
 def named(answers, recordings):
     """What a filter does wrongly, as far as it can be seen in its results; else None."""
-    for look in (of_the_gaps, anew, of_Q, of_the_start, of_R):
+    for look in (of_the_gaps, anew, of_Q, of_the_start, of_R, of_the_corrections):
         try:
             if words := look(answers, recordings):
                 return words

@@ -45,13 +45,11 @@ def of_interval(limits):
     if share > 99.5:
         single = np.allclose(limits, chi2.ppf([0.025, 0.975], 2), rtol=0.02)
         words = (
-            "Those are the limits for a single run. An"
+            "Those are the limits for a single run."
             if single
-            else "Practically every average lies between these limits: an"
+            else "Practically every average lies between these limits."
         )
-        return (
-            f"{words} average of 50 runs scatters far less: chi-square with 50 · 2 degrees of freedom, divided by 50."
-        )
+        return f"{words} An average of 50 runs scatters far less: chi-square with 50 · 2 degrees of freedom, divided by 50."
     return f"Between {low:.4g} and {high:.4g} lie {share:.3g} % of the averages. 95 % are wanted, and 2.5 % on either side."
 
 

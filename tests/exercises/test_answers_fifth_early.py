@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kflearn.exercises import _cart_with_gaps as cart
 from kflearn.exercises import _radar as radar
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises._slips_fifth_early import WRONG
@@ -177,6 +178,54 @@ def test_means_that_do_not_follow_a_right_P():
     outcome = asked("is_the_filter_honest.unknown_sensor").check(waits)
     assert "about the right R. But the means do not follow with it" in outcome.text
     assert "every recording get its own" not in outcome.text
+
+
+def carts(change):
+    """A filter of the cart that is right, but for a change of its means, covariances and inputs."""
+
+    def follow(z, dt, sd, sigma):
+        (F, Q), start = cart.motion(dt, sd), np.diag([sigma**2, 9.0])
+        return change(*cart.run(z, F, Q, sigma**2, np.array([z[0], 0.0]), start), z)
+
+    return follow
+
+
+def wrong_gain(z, dt, sd, sigma):
+    """P is right; the mean moves by twice its gain."""
+    (F, Q), x, P, rows = cart.motion(dt, sd), np.array([z[0], 0.0]), np.diag([sigma**2, 9.0]), []
+    rows.append((x, P))
+    for reading in z[1:]:
+        x, P = F @ x, F @ P @ F.T + Q
+        if np.isfinite(reading):
+            K = P[:, 0] / (P[0, 0] + sigma**2)
+            x, P = x + 1.9 * K * (reading - x[0]), P - np.outer(K, P[0])
+        rows.append((x, P))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def never_smaller(z, dt, sd, sigma):
+    """The gain uses P, and P is not made smaller."""
+    (F, Q), x, P, rows = cart.motion(dt, sd), np.array([z[0], 0.0]), np.diag([sigma**2, 9.0]), []
+    rows.append((x, P))
+    for reading in z[1:]:
+        x, P = F @ x, F @ P @ F.T + Q
+        if np.isfinite(reading):
+            x = x + P[:, 0] / (P[0, 0] + sigma**2) * (reading - x[0])
+        rows.append((x, P))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        (carts(lambda mean, cov, z: (mean * [1, 0], cov)), "does not move on as F says"),
+        (never_smaller, "Look at the corrections"),
+        (wrong_gain, "Your P is right at every reading"),
+    ],
+)
+def test_what_is_right_in_a_cart_is_not_blamed(answer, words):
+    outcome = asked("train_and_ship.cart_with_gaps").check(answer)
+    assert words in outcome.text and "does Q have sd²?" not in outcome.text, outcome.text
 
 
 def wrapped_distance(z, mean, cov):
