@@ -1,11 +1,8 @@
 """Recordings for the open exercise of lesson 26: a boat among false readings; and designs."""
 
-import re
-
 import numpy as np
 
 from kflearn import Gaussian, boats, nearest_filter, pda_filter, scan_targets, simulate
-from kflearn.exercises import _code_of
 
 STEPS, DETECTION = 60, 0.9
 LOST = 40.0  # m
@@ -132,71 +129,3 @@ FAILING = {
     "a boat that goes straight on": pda(0.02),
     "one place for all": lambda z, start, clutter: np.tile(start[[0, 2]], (len(z), 1)),
 }
-
-
-# ---- what an answer looks like
-
-
-def used_none(answer, answers, recordings):
-    straight = [np.allclose(np.diff(a, n=2, axis=0), 0, atol=1e-9) for a in answers]
-    return "Your positions lie on a straight line: no reading has changed them." if all(straight) else None
-
-
-def is_a_reading(answer, answers, recordings):
-    hits = [
-        (np.linalg.norm(z - np.asarray(a)[:, None], axis=-1) < 1e-9).any(axis=1).mean()
-        for a, ((z, _, _), _) in zip(answers, recordings, strict=True)
-    ]
-    if np.mean(hits) > 0.9:
-        return "Nearly every position that you return is one of the readings. A false one then moves the boat as far as it likes: predict, and correct by a gain."
-    return None
-
-
-def is_the_mean(answer, answers, recordings):
-    means = [np.allclose(a, np.nanmean(z, axis=1)) for a, ((z, _, _), _) in zip(answers, recordings, strict=True)]
-    return "You return the mean of all readings of a scan. Most of them are false." if all(means) else None
-
-
-def other_columns(answer, answers, recordings):
-    """The boat's x, and something else for y; or y first."""
-    error = np.median(
-        [np.sqrt(np.mean((np.asarray(a) - t) ** 2, axis=0)) for a, (_, t) in zip(answers, recordings, strict=True)],
-        axis=0,
-    )
-    turned = [
-        np.sqrt(np.mean((np.asarray(a)[:, ::-1] - t) ** 2)) for a, (_, t) in zip(answers, recordings, strict=True)
-    ]
-    if np.median(turned) < 8 < error.min():
-        return "Your columns are y and x. Wanted are x and y, in this order."
-    if error[0] < 8 and error[1] > 25:
-        return "Your first column follows x, but the second one is not y. The state is x, v_x, y, v_y: take its columns 0 and 2."
-    return None
-
-
-OTHER_H = r"replace\([^)]*H *=[^)]*(eye\(2, *4|\[\[1\.?0?, *0\.?0?, *0\.?0?, *0\.?0?\], *\[0\.?0?, *1)"
-
-
-def observed(answer, answers, recordings):
-    """The lesson's model with another H."""
-    if re.search(OTHER_H, _code_of.text_of(answer) or ""):
-        return "Your H reads the numbers 0 and 1 of the state, x and v_x. The state is x, v_x, y, v_y: H must pick 0 and 2, and so must what you return."
-    return None
-
-
-def small_gate(answer, answers, recordings):
-    """A gate that refuses the boat's own readings."""
-    found = re.search(r"pda_filter\(.*?gate *= *(0?\.\d+)", _code_of.text_of(answer) or "", re.DOTALL)
-    if found and float(found[1]) < 0.97:
-        part = 100 - 100 * float(found[1])
-        return f"Your gate is too small: it refuses {part:.3g} of 100 of the boat's own readings. The weights keep false ones low, so the gate can be wide: 0.99."
-    return None
-
-
-def takes_the_nearest(answer, answers, recordings):
-    """The lesson's filter of the nearest reading."""
-    if "nearest_filter(" in (_code_of.text_of(answer) or ""):
-        return "Your filter takes the nearest reading for the boat's, and cannot know when it is led away. Weigh all that are in the gate. And Q must be large enough for a boat that turns."
-    return None
-
-
-SIGNS = (used_none, is_the_mean, is_a_reading, other_columns, observed, takes_the_nearest, small_gate)

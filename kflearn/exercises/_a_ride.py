@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from kflearn.exercises._judge import Mark, inside, nees, pair, rms
-
 REST = 30.0  # seconds at the beginning in which nothing moves
 T, HOLE = 60, 46  # readings, and the one that follows the long hole
 H = np.kron(np.eye(2), [[1, 0]])
@@ -79,72 +77,11 @@ def raw(time, z, q):
     return mean, np.tile(np.nanvar(z[time < REST]) * np.eye(4), (len(z), 1, 1))
 
 
-def of_rest(z, time):
+def at_rest(z, time):
     """The readings of the first 30 s."""
     return z[time < REST]
 
 
-def at_the_hole(answers, truths):
-    """The mean of error² / P of each state at the end of the long hole, where no reading has come yet."""
-    found = []
-    for answer, truth in zip(answers, truths, strict=True):
-        mean, cov = pair(answer)
-        found.append((truth[HOLE] - mean[HOLE]) ** 2 / np.diag(cov[HOLE]))
-    return np.mean(found)
-
-
-def beside_it(value):
-    """A number of all rows but that at the end of the long hole."""
-
-    def rest(answers, truths):
-        kept = [tuple(np.delete(part, HOLE, axis=0) for part in pair(answer)) for answer in answers]
-        return value(kept, [np.delete(truth, HOLE, axis=0) for truth in truths])
-
-    return rest
-
-
-MARKS = [
-    Mark(
-        "error of east (rms, after the rest)",
-        beside_it(rms(0, 30)),
-        high=5.5,
-        unit="m",
-        above="Is there a gate for readings that are far off, by the NIS of two numbers? At 9 it refuses one good reading in 90, at 3 one "
-        "in five. And has each step its own F and Q, with its own Δt?",
-    ),
-    Mark(
-        "error of the speed towards east (rms)",
-        beside_it(rms(1, 30)),
-        high=1.5,
-        unit="m/s",
-        above="Look at Δt in F, at Q, and at the order of the states: east, its speed, north, its speed.",
-    ),
-    Mark(
-        "truth within ±2σ of east",
-        beside_it(inside(0, 30)),
-        low=90,
-        high=99,
-        unit="%",
-        below="The claimed σ is too small: R from the rest, as a variance; and Q for the whole Δt of a step.",
-        above="The claimed σ is too large: was R taken from the rest alone, on each axis about its own mean?",
-    ),
-    Mark(
-        "NEES / 4",
-        beside_it(nees(30)),
-        low=0.75,
-        high=1.4,
-        below="The covariance is too large for the errors: look at R.",
-        above="The covariance is too small for the errors: look at the gate, at R, and at the long step.",
-    ),
-    Mark(
-        "error² / P at the end of the long hole",
-        at_the_hole,
-        low=0.4,
-        high=2.2,
-        below="There your P is far too large. Over a long step it shows which Δt, and which power of it, stands in Q.",
-        above="There your P is far too small. Have F and Q of the long step its own Δt?",
-    ),
-]
 PASSING = {
     "a narrower gate": lambda time, z, q: follow(time, z, q, gate=9.2),
     "a wider gate, a wider start": lambda time, z, q: follow(time, z, q, gate=25, start=9.0),
@@ -158,7 +95,7 @@ FAILING = {
     "one step, one second": lambda time, z, q: follow(time, z, q, dt=1.0),
     "one median step": lambda time, z, q: follow(time, z, q, dt=np.median(np.diff(time))),
     "R from the ride": lambda time, z, q: follow(time, z, q, R=np.nanvar(z, axis=0).mean()),
-    "R about one mean for both axes": lambda time, z, q: follow(time, z, q, R=np.nanvar(of_rest(z, time))),
-    "σ for R": lambda time, z, q: follow(time, z, q, R=np.nanvar(of_rest(z, time), axis=0, ddof=1).mean() ** 0.5),
+    "R about one mean for both axes": lambda time, z, q: follow(time, z, q, R=np.nanvar(at_rest(z, time))),
+    "σ for R": lambda time, z, q: follow(time, z, q, R=np.nanvar(at_rest(z, time), axis=0, ddof=1).mean() ** 0.5),
     "one push a step": lambda time, z, q: follow(time, z, q, push=lambda d: [[d**4 / 4, d**3 / 2], [d**3 / 2, d**2]]),
 }

@@ -2,34 +2,22 @@
 
 import numpy as np
 
-from kflearn.exercises._a_ride import MARKS, REST, H, white
-from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
+from kflearn.exercises import _scenes
+from kflearn.exercises._a_ride import HOLE, REST
+from kflearn.exercises._a_ride_seen import (
+    MARKS,
+    corrections,
+    empty,
+    moves,
+    of_rest,
+    refusals,
+    scenes,
+    spread,
+    steps,
+    still,
+)
+from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share
 from kflearn.exercises._judge import pair
-
-
-def steps(recording):
-    return np.diff(recording[0][0])
-
-
-def empty(recording):
-    """The rows but the first in which nothing was read."""
-    return np.isnan(recording[0][1][1:, 0])
-
-
-def moves(dt):
-    """F of each step."""
-    F = np.tile(np.eye(4), (len(dt), 1, 1))
-    F[:, 0, 1] = F[:, 2, 3] = dt
-    return F
-
-
-def spread(dt, push=white):
-    """Q of each step with q = 1."""
-    Q = np.zeros((len(dt), 4, 4))
-    for i, row in enumerate(push(dt)):
-        for j, entry in enumerate(row):
-            Q[:, i, j] = Q[:, i + 2, j + 2] = entry
-    return Q
 
 
 def skipped(answer, answers, recordings):
@@ -101,21 +89,6 @@ SPREADS = [
 ]  # fmt: skip
 
 
-def still(answers, recordings):
-    """Whether all that was added to P in rows without a reading is right: then the answer is a filter."""
-    pairs = zip(answers, recordings, strict=True)
-    return all(
-        np.allclose(added(*pair(a), moves(steps(r)))[1][empty(r)], r[0][2] * spread(steps(r))[empty(r)], rtol=1e-3)
-        for a, r in pairs
-    )
-
-
-def corrections(answers, recordings):
-    """For each recording the R used in each row."""
-    pairs = zip(answers, recordings, strict=True)
-    return [used_R(pair(a)[1], moves(steps(r)), r[0][2] * spread(steps(r)), H) for a, r in pairs]
-
-
 def trusts(answer, answers, recordings):
     """The R of the corrections."""
     if not still(answers, recordings):
@@ -124,8 +97,7 @@ def trusts(answer, answers, recordings):
     if not all(map(len, used)):
         return None
     found = np.array(list(map(np.median, used)))
-    rest = [inputs[1][inputs[0] < REST] for inputs, _ in recordings]
-    right = np.array([np.nanvar(each, axis=0, ddof=1).mean() for each in rest])
+    rest, right = [inputs[1][inputs[0] < REST] for inputs, _ in recordings], of_rest(recordings)
     if np.ptp(found) < 1e-6 * found.max():
         return f"Your R is {found[0]:.3g} m² in all rides. It is another one in each file: take it from the first 30 s."
     near = lambda other: np.all(abs(found - other) < 0.05 * other)  # noqa: E731
@@ -142,21 +114,21 @@ def trusts(answer, answers, recordings):
     ratio = np.median(found / right)
     if 0.6 < ratio < 1.7:
         return None
-    look = "Is it taken from these alone, and each axis about its own mean?" if ratio > 1 else "Is it a variance?"
-    return f"Your R is {ratio:.2g} times the variance of the readings in the first 30 s (median of the rides). {look}"
+    look = "is R taken from these alone, each axis about its own mean" if ratio > 1 else "is R a variance"
+    return (
+        f"A reading makes your P smaller as if R were {ratio:.2g} times the variance of the readings in the first 30 s (median of the rides): {look}, "
+        "and is the correction of P right?"
+    )
 
 
 def gates(answer, answers, recordings):
     """Which readings are left unused."""
     if not still(answers, recordings):
         return None
-    refused = [np.isinf(u) for u in corrections(answers, recordings)]
-    off = [abs(z - truth[:, ::2]).max(axis=1)[1:] for (_, z, _), truth in recordings]
-    sigma = [np.nanstd(z[time < REST], axis=0).mean() for (time, z, _), _ in recordings]
-    good = [o < 4 * s for o, s in zip(off, sigma, strict=True)]
+    refused, good, far = refusals(answers, recordings)
     if share(refused, good) > 0.99:
         return "Your filter uses none of the readings: P never becomes smaller where there is one."
-    if share(refused, [o > 15 * s for o, s in zip(off, sigma, strict=True)]) < 0.5:
+    if share(refused, far) < 0.5:
         return (
             "Your filter uses readings that are far off. Is there a gate, by the NIS, and before the correction? And is it "
             "not so wide that all pass?"
@@ -190,5 +162,65 @@ def runs(marked):
     return list(zip(np.flatnonzero(edges == 1), np.flatnonzero(edges == -1), strict=True))
 
 
+def begins(answer, answers, recordings):
+    """The first state."""
+    away = [np.linalg.norm(pair(a)[0][0, ::2] - r[0][1][0]) for a, r in zip(answers, recordings, strict=True)]
+    if np.median(away) > 20:
+        return f"Your state begins {np.median(away):.0f} m from the first reading (median of the rides). The first reading is good: begin there."
+    return None
+
+
+def hole(answer, answers, recordings):
+    """How far the state goes, and what P is, at the end of the long hole."""
+    pairs = [pair(a) for a in answers]
+    if all(np.allclose(cov[HOLE], cov[0]) for _, cov in pairs):
+        return "At the end of the long hole your P is that of the start again. The filter still knows how well it knew place and speed: predict P over the hole."
+    last = HOLE - 1
+    way = np.array([mean[HOLE, ::2] - mean[last, ::2] for mean, _ in pairs])
+    speed = np.array([mean[last, 1::2] for mean, _ in pairs])
+    times = np.sum(way * speed, axis=1) / np.sum(speed**2, axis=1)
+    dt = np.array([steps(r)[last] for r in recordings])
+    straight = np.linalg.norm(way - times[:, None] * speed, axis=1) < 1e-6 * (1 + np.linalg.norm(way, axis=1))
+    if straight.all() and np.all(abs(times - dt) > 0.05 * dt):
+        return f"Over the long hole of ride 1, which lasts {dt[0]:.3g} s, your state moves on for {times[0]:.2g} s. Its Δt is the difference of the two time stamps."
+    return None
+
+
+def exchanged(answer, answers, recordings):
+    """P grows by the variance at rest where q belongs."""
+    found = []
+    for scene, ((_, _, q), _) in zip(scenes(answers, recordings), recordings, strict=True):
+        unit = scene.Q[scene.empty] / q
+        found.append(np.median(np.sum(scene.grown * unit, axis=(1, 2)) / np.sum(unit**2, axis=(1, 2))))
+    found = np.array(found)
+    rest = of_rest(recordings)
+    if np.all(abs(found / rest - 1) < 0.5) and np.median(abs(found / rest - 1)) < 0.15:
+        return "In the rows without a reading your P grows by the variance of the readings at rest times the matrix of Δt. There q belongs; the variance at rest is R, which belongs to S."
+    return None
+
+
+def seen(check, *words, of_filters_only=False):
+    """A sign from a check of scenes."""
+    return _scenes.sign(check, scenes, "rows", *words, z_at=1, of_filters_only=of_filters_only)
+
+
 ORDER = "In another order of your states all of this passes. The order is: east, its speed, north, its speed."
-SIGNS = [same_P("rows"), skipped, predictions(1), another_order(MARKS, ORDER), moved, widened, trusts, gates]
+SIGNS = [
+    same_P("rows"),
+    skipped,
+    predictions(1),
+    another_order(MARKS, ORDER),
+    begins,
+    moved,
+    hole,
+    widened,
+    seen(_scenes.predicted),
+    seen(_scenes.negative),
+    seen(_scenes.rooted),
+    exchanged,
+    seen(_scenes.read_in_gaps, of_filters_only=True),
+    seen(_scenes.growth),
+    seen(_scenes.gain, "reading"),
+    trusts,
+    gates,
+]

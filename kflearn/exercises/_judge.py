@@ -12,10 +12,41 @@ from kflearn.exercises._answers import show, unfinished
 from kflearn.exercises._kinds import Exercise
 from kflearn.exercises._messages import Outcome
 from kflearn.exercises._raised import arity_fault, told
+from kflearn.exercises._results import first_endless, of_gaps, of_rows, pair, singular
 from kflearn.exercises._watch import TooLong
 
 RECORDINGS = 20  # on which a filter is judged
+LIKELY = (
+    "The check sees only the results, and they do not show the cause: what stands behind a ✗ are the likeliest ones."
+)
 DICTIONARY = "is a dictionary: return the values one after the other, without names"
+
+
+class Likely(str):
+    """What to look at, where the results do not show the cause."""
+
+    __slots__ = ()
+
+
+def likely(*causes) -> Callable:
+    """For a mark: likely causes, without those that the results contradict.
+
+    causes: texts, or (text, contradicted) with contradicted(answers, recordings) → bool, as far as that can be told.
+    """
+
+    def look(answers, recordings):
+        pairs = [(cause, None) if isinstance(cause, str) else cause for cause in causes]
+        return Likely(" ".join(text for text, no in pairs if not (no and _told(no, answers, recordings))))
+
+    return look
+
+
+def _told(contradicted, answers, recordings):
+    """Whether the results contradict a cause; where that cannot be told they do not."""
+    try:
+        return bool(contradicted(answers, recordings))
+    except Exception:  # results of which nothing can be made
+        return False
 
 
 class Mark(NamedTuple):
@@ -24,7 +55,8 @@ class Mark(NamedTuple):
     name, unit: what the number is, and its unit.
     value(answers, truths) → number, from what the function returned for each recording and what was true.
     low, high: between which it passes; None where there is no bound.
-    below, above: what to look at when it does not pass; or a function of the answers and the recordings that says it.
+    below, above: what to look at when it does not pass, if the results do not show it; or a function of the answers and
+        the recordings that says what they show, or something `Likely`.
     """
 
     name: str
@@ -43,7 +75,7 @@ class Mark(NamedTuple):
             look = self.above
         else:
             return None
-        return look(answers, recordings) if callable(look) else look
+        return look(answers, recordings) if callable(look) else Likely(look)
 
     def shown(self, number, passes):
         """A number in three digits, or in as many as show that it does not pass."""
@@ -115,25 +147,35 @@ class OpenExercise(Exercise):
 
     def _report(self, answer, answers):
         """Each mark with its number, what is wanted, and what to look at where it does not pass."""
-        truths, lines, said = [truth for _, truth in self.recordings], [], []
-        numbers = [float(mark.value(answers, truths)) for mark in self.marks]
+        truths = [truth for _, truth in self.recordings]
+        try:
+            numbers = [float(mark.value(answers, truths)) for mark in self.marks]
+        except np.linalg.LinAlgError:
+            return Outcome("wrong", singular(answers))
         for mark, number in zip(self.marks, numbers, strict=True):
             if not np.isfinite(number):
                 return Outcome("wrong", self._endless(mark, answers))
         pairs = zip(self.marks, numbers, strict=True)
         looks = [mark.verdict(number, answers, self.recordings) for mark, number in pairs]
-        failed = [look is not None for look in looks]
-        named = self._sign(answer, answers) if any(failed) else None
-        for mark, number, look in zip(self.marks, numbers, looks, strict=True):
+        if all(look is None for look in looks):
+            return self._right("\n".join(self._lines(numbers, looks, ())) + "\n\n")
+        named = self._sign(answer, answers)
+        lines = self._lines(numbers, looks, () if named else looks)
+        guessed = not named and any(look and isinstance(look, Likely) for look in looks)
+        return Outcome("wrong", "\n".join(lines) + f"\n\n{named or (LIKELY if guessed else '')}".rstrip())
+
+    def _lines(self, numbers, looks, said_of):
+        """The report: a line for each mark, with what is said of it, nothing twice."""
+        lines, said = [f"On {RECORDINGS} recordings that you have not seen:"], []
+        for i, (mark, number, look) in enumerate(zip(self.marks, numbers, looks, strict=True)):
             value = f"{mark.shown(number, look is None)} {mark.unit}".rstrip()
-            line = f"{'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()}"
-            for earlier in said:  # nothing is said twice
-                look = look and look.replace(earlier, "").strip()
-            said += [look] if look else []
-            lines.append(line + (f". {look}" if look and not named else ""))
-        first = f"On {RECORDINGS} recordings that you have not seen:"
-        report = "\n".join([first, *(f"- {line}" for line in lines)])
-        return Outcome("wrong", f"{report}\n\n{named or ''}".rstrip()) if any(failed) else self._right(f"{report}\n\n")
+            words = (said_of and said_of[i]) or ""
+            for earlier in said:
+                words = words.replace(earlier, "").strip()
+            said += [words] if words else []
+            line = f"- {'✓' if look is None else '✗'} {mark.name}: {value}, wanted {mark.wanted()}"
+            lines.append(line + (f". {words}" if words else ""))
+        return lines
 
     def _sign(self, answer, answers):
         """What the first sign says that recognises a mistake; None where none does."""
@@ -147,11 +189,8 @@ class OpenExercise(Exercise):
         """What is said of results that hold NaN: nothing else is judged then."""
         for recording, answer in enumerate(answers, 1):
             if (at := first_endless(answer)) is not None:
-                inputs = self.recordings[recording - 1][0]
-                gap = any(np.isnan(part).any() for part in inputs if np.asarray(part).dtype.kind == "f")
                 where = f"For recording {recording} the result is not finite at reading {at + 1}"
-                also = ", also where the reading is NaN" if gap else ""
-                return f"{where}: does the filter return a number for each reading{also}? Nothing else is judged yet."
+                return f"{where}{of_gaps(self.recordings[recording - 1][0], at)} Nothing else is judged yet."
         return f"The {mark.name} is not finite: is a variance zero? Nothing else is judged yet."
 
     def _answer(self):
@@ -166,7 +205,10 @@ def track(states, names="mean and covariance"):
         T = len(truth)
         if _shape(answer) == (T, states):
             return "holds the means only, and the covariance is missing: return means and covariances"
-        mean, cov = pair(answer)
+        try:
+            mean, cov = pair(answer)
+        except (TypeError, ValueError):  # not two arrays
+            return of_rows(answer, T, states)
         if np.shape(mean)[1:] == (states,) and len(mean) < T:
             return f"has {len(mean)} rows for {T} readings: one is wanted for each, the first and those without a value too"
         if np.shape(mean) != (T, states):
@@ -189,23 +231,6 @@ def _shape(answer):
 def series(answer, truth):
     """A form: one number for each reading."""
     return None if np.shape(answer) == np.shape(truth) else f"should be {np.shape(truth)}, but is {np.shape(answer)}"
-
-
-def first_endless(answer):
-    """The first reading at which a result is not finite; None where all of it is."""
-    parts = (answer.mean, answer.cov) if hasattr(answer, "cov") and not callable(answer.cov) else answer
-    rows = [np.asarray(part, float) for part in (parts if isinstance(parts, tuple) else [parts])]
-    found = [np.argwhere(~np.isfinite(row)) for row in rows]
-    steps = [places[0][0 if row.ndim < 4 else 1] for row, places in zip(rows, found, strict=True) if len(places)]
-    return min(map(int, steps), default=None)
-
-
-def pair(answer):
-    """Mean and covariance of what a filter returned."""
-    if hasattr(answer, "cov") and not callable(answer.cov):
-        return np.asarray(answer.mean, float), np.asarray(answer.cov, float)
-    mean, cov = answer
-    return np.asarray(mean, float), np.asarray(cov, float)
 
 
 # ---- numbers that a judge looks at

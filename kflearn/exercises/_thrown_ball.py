@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from kflearn.exercises._judge import Mark, inside, nees, rms
-
 H = np.eye(2, 4)
 KICK = np.kron([[1 / 3, 1 / 2], [1 / 2, 1]], np.eye(2))
 
@@ -61,41 +59,6 @@ def held(z, g, q, R):
 def as_in_the_lesson(z, g, q, R):
     """The lesson's numbers in place of those that are given."""
     return follow(np.vstack([[[160.0, 120.0]], z[1:]]), 6.0, 0.01, 0.05**2)
-
-
-GATE = (
-    "Is there a gate, by the NIS and before the correction? And is it not so narrow that it refuses one good detection "
-    "after another? g, q and R are those that are given, not the lesson's; no start is given."
-)
-MARKS = [
-    Mark("error of the row (rms, from frame 10 on)", rms(1, 10), high=4.2, unit="px", above=GATE),
-    Mark(
-        "error of the row's velocity (rms)",
-        rms(3, 10),
-        high=1.56,
-        unit="px/frame",
-        above="Gravity moves the row by g/2 within the frame as well. If the row itself is wrong, mend that first.",
-    ),
-    Mark(
-        "truth within ±2σ of the row",
-        inside(1, 10),
-        low=90,
-        high=99,
-        unit="%",
-        below="The claimed σ is too small: look at P where nothing is seen, and at R, which is a variance.",
-        above="The claimed σ is too large: are the readings used, and q as it is given?",
-    ),
-    Mark(
-        "NEES / 4",
-        nees(10),
-        low=0.88,
-        high=1.14,
-        below="The covariance is too large for the errors: look at R, at q, and at the form of Q. A kick to the velocity moves "
-        "the place as well: Q is q [[1/3, 1/2], [1/2, 1]] for place and velocity of each axis.",
-        above="The covariance is too small for the errors: look at R, which is a variance (R, not √R), at q as it is given, at "
-        "the gate, at gravity, and at Q on both axes.",
-    ),
-]
 
 
 def by_axis(z, g, q, R):

@@ -4,25 +4,21 @@ import re
 
 import numpy as np
 
-from kflearn.exercises import _code_of
-from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
+from kflearn.exercises import _code_of, _scenes
+from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share
 from kflearn.exercises._judge import pair
-from kflearn.exercises._thrown_ball import KICK, MARKS, H, motion
-
-F = motion(0.0)[0]
-BY_AXIS = np.kron(np.eye(2), [[1, 1], [0, 1]])  # as for a state of column, its velocity, row, its velocity
-
-
-def dark(recording):
-    """The frames but the first in which nothing is seen."""
-    return np.isnan(recording[0][0][1:, 0])
-
-
-def in_the_dark(answers, recordings, moves=F):
-    """What is added to x and P in the frames in which nothing is seen, the median of each recording."""
-    both = [added(*pair(a), moves) for a in answers]
-    rows = [(push[dark(r)], Q[dark(r)]) for (push, Q), r in zip(both, recordings, strict=True)]
-    return [np.median(push, axis=0) for push, _ in rows], [np.median(Q, axis=0) for _, Q in rows]
+from kflearn.exercises._thrown_ball import KICK, H, motion
+from kflearn.exercises._thrown_ball_seen import (
+    BY_AXIS,
+    MARKS,
+    F,
+    dark,
+    facts,
+    gravity_right,
+    in_the_dark,
+    is_filter,
+    scenes,
+)
 
 
 def stands_still(answer, answers, recordings):
@@ -124,22 +120,6 @@ KICKS = [
 ]  # fmt: skip
 
 
-def is_filter(answers, recordings):
-    """Whether the same is added to P in all frames without a detection of a recording; not so in a smoother."""
-    both = [added(*pair(a), F)[1][dark(r)] for a, r in zip(answers, recordings, strict=True)]
-    return all(np.ptp(Q, axis=0).max() < 1e-6 * (1 + abs(Q).max()) for Q in both)
-
-
-def facts(answers, recordings):
-    """For each recording: the R used in each frame, which detections are of the ball, and which of something else."""
-    if not is_filter(answers, recordings):
-        raise ValueError("no filter, so its corrections cannot be read")
-    Q = in_the_dark(answers, recordings)[1]
-    used = [used_R(pair(a)[1], F, each, H) for a, each in zip(answers, Q, strict=True)]
-    off = [np.abs(z - truth[:, :2]).max(axis=1)[1:] / R**0.5 for (z, _, _, R), truth in recordings]
-    return used, [each < 4 for each in off], [each > 15 for each in off]
-
-
 def trusts(answer, answers, recordings):
     """The R of the corrections."""
     R = np.array([inputs[3] for inputs, _ in recordings])
@@ -156,7 +136,10 @@ def trusts(answer, answers, recordings):
     words, ratio = recognised(found, table, R), np.median(found / R)
     if words or 0.99 < ratio < 1.01 or not np.isfinite(ratio):
         return words
-    return f"Your corrections use {ratio:.3g} times the R that is given (median of the recordings)."
+    return (
+        f"A detection makes your P smaller as if R were {ratio:.3g} times the R that is given (median of the recordings): look at R in S, at the P in "
+        "the gain, and at the line that corrects P."
+    )
 
 
 def begins(answer, answers, recordings):
@@ -169,6 +152,11 @@ def begins(answer, answers, recordings):
         return (
             f"Your state begins {np.median(away):.0f} px from the first detection (median), and then good detections are refused. "
             "No start is given, but the first ten detections are of the ball."
+        )
+    if share(refused, first) > 0.15 and np.median(away) < 1 and pair(answers[0])[1][0, 3, 3] > 300:
+        return (
+            f"Your state begins at the first detection and its velocity is wide, and yet {100 * share(refused, first):.0f} % of the detections in the first "
+            "ten frames are refused, which are all of the ball. S holds P and R, and NIS is the square of a distance in σ: how large may it be?"
         )
     if share(refused, first) > 0.9:
         return (
@@ -189,10 +177,10 @@ def gates(answer, answers, recordings):
     refused = [np.isinf(u) for u in used]
     if share(refused, good) > 0.99:
         return "Your filter uses none of the detections: P never becomes smaller where the ball is seen."
-    if share(refused, bad) < 0.5:
+    if share(refused, bad) < 0.99:
         return (
-            "Your filter uses detections of something else, far from where the ball must be. Is there a gate, by the NIS, "
-            "and before the correction? And is it not so wide that all pass?"
+            f"Your filter uses {100 - 100 * share(refused, bad):.0f} % of the detections of something else, far from where the ball must be. Is there a gate, "
+            "by the NIS, and before the correction? And is it not so wide that they pass?"
         )
     if share(refused, good) > 0.1:
         return (
@@ -204,29 +192,34 @@ def gates(answer, answers, recordings):
 
 def moves(answer, answers, recordings):
     """How far a detection moves the state, beside what the covariance says of the gain."""
-    if not all(
-        np.allclose(push, [0, r[0][1] / 2, 0, r[0][1]], atol=1e-6)
-        for push, r in zip(in_the_dark(answers, recordings)[0], recordings, strict=True)
-    ):
+    if not gravity_right(answers, recordings):
         return None
     turned, moved, used = [], [], facts(answers, recordings)[0]
     for a, (inputs, _), R_used in zip(answers, recordings, used, strict=True):
         (mean, cov), (z, g, _, R) = pair(a), inputs
         ahead = mean[:-1] @ F.T + motion(g)[1]
         gained = (cov[1:] @ H.T @ (z[1:] - ahead[:, :2])[..., None])[..., 0] / R
-        turned.append(((mean[1:] - ahead) / gained)[np.isfinite(R_used), 1])
+        turned.append(((mean[1:] - ahead) / gained)[np.isfinite(R_used)])
         moved.append((abs(mean[1:] - ahead).max(axis=1) > 1e-6)[np.isinf(R_used)])
-    parts = np.concatenate(turned)
     if np.concatenate(moved).mean() > 0.5:
         return (
             "Your detections move the state, and P stays as it was predicted. A detection makes P smaller, by K S Kᵀ."
         )
+    return of_gains(np.concatenate(turned))
+
+
+def of_gains(parts):
+    """What is said of the ways that a state goes, in units of those that it should go."""
     if len(parts) == 0:
         return None
     if np.mean(abs(parts + 1) < 1e-6) > 0.5:
         return "Your P is right. Your state moves away from the detection: the innovation is z − H x."
-    if np.mean(abs(parts - 1) < 1e-6) < 0.5:
-        return "Your P is right. Your state does not move by K (z − H x), with the K that made P smaller."
+    place, velocity = (np.mean(abs(part - 1).max(axis=1) > 1e-6) for part in (parts[:, :2], parts[:, 2:]))
+    if place < 0.02 < velocity:
+        return "Your P is right, and the place moves by K (z − H x). The velocities do not: K has four rows, one for each state."
+    if place > 0.02:
+        often = f"In {100 * place:.0f} % of the corrections your" if place < 0.98 else "Your"
+        return f"Your P is right. {often} state does not move by K (z − H x), with the K that made P smaller."
     return None
 
 
@@ -254,6 +247,11 @@ def by_distance(answer, answers, recordings):
     return None
 
 
+def seen(check, *words, of_filters_only=False):
+    """A sign from a check of scenes."""
+    return _scenes.sign(check, scenes, "frames", *words, of_filters_only=of_filters_only)
+
+
 ORDER = "In another order of your states all of this passes. The order is: column, row, velocity of the column, velocity of the row."
 SIGNS = [
     same_P("frames"),
@@ -263,9 +261,13 @@ SIGNS = [
     floor,
     gravity,
     kicks,
+    seen(_scenes.predicted),
+    seen(_scenes.negative),
+    seen(_scenes.rooted),
+    seen(_scenes.read_in_gaps, of_filters_only=True),
     trusts,
     moves,
+    by_distance,
     begins,
     gates,
-    by_distance,
 ]

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from kflearn.exercises._judge import Mark, pair
-
 GOOD, BAD, SETTLED = 1.0, 16.0, 45  # R in m², and the steps after which a filter should have noticed
 
 
@@ -29,31 +27,6 @@ def settled(R, level):
     change = np.flatnonzero(np.diff(R))[0] + 1
     steps = np.arange(len(R))
     return (level == R) & (steps - change >= SETTLED)
-
-
-def honest(level):
-    """The mean NEES / 2 where R has a value, of all recordings together."""
-
-    def value(answers, truths):
-        found = []
-        for answer, truth in zip(answers, truths, strict=True):
-            (mean, cov), at = pair(answer), settled(truth[:, 2], level)
-            error = (truth[:, :2] - mean)[at]
-            found.append(np.sum(error * np.linalg.solve(cov[at], error[..., None])[..., 0], axis=-1))
-        return np.mean(np.concatenate(found)) / 2
-
-    return value
-
-
-def off(level):
-    """The rms error of the position where R has a value."""
-
-    def value(answers, truths):
-        at = [settled(truth[:, 2], level) for truth in truths]
-        errors = [(pair(a)[0] - t[:, :2])[w, 0] for a, t, w in zip(answers, truths, at, strict=True)]
-        return np.sqrt(np.mean(np.concatenate(errors) ** 2))
-
-    return value
 
 
 def learn(z, F, Q, mean, cov, window=30, R=1.0, floor=0.05, rule=None, explained=True, all_of_them=False):
@@ -115,39 +88,6 @@ def as_in_the_lesson(z, F, Q, mean, cov):
     return learn(z, np.array([[1, 0.1], [0, 1]]), 0.04 * np.outer(push, push), mean, cov)
 
 
-SURE = "The claimed σ is too small: does R̂ follow the sensor? Is the window long, and HP⁻Hᵀ taken off C only once?"
-MARKS = [
-    Mark(
-        "error of the position where R became 1 m² (rms)",
-        off(GOOD),
-        high=1.0,
-        unit="m",
-        above="Does R̂ come down again after the bad stretch, and does a missing reading leave it alone?",
-    ),
-    Mark(
-        "error of the position where R became 16 m² (rms)",
-        off(BAD),
-        high=2.58,
-        unit="m",
-        above="The filter still trusts a bad sensor: how many readings does it take until R̂ is near 16 m²?",
-    ),
-    Mark(
-        "NEES / 2 where R became 1 m²",
-        honest(GOOD),
-        low=0.78,
-        high=2.1,
-        below="The claimed σ is too large: here R̂ should be about 1 m². Is HP⁻Hᵀ taken off C, and are old innovations forgotten?",
-        above=SURE + " A short window makes R̂ restless.",
-    ),
-    Mark(
-        "NEES / 2 where R became 16 m²",
-        honest(BAD),
-        low=0.86,
-        high=1.25,
-        below="The claimed σ is too large: here R̂ should be about 16 m². Is HP⁻Hᵀ taken off C?",
-        above=SURE,
-    ),
-]
 PASSING = {
     "a window of 20": lambda *given: learn(*given, window=20),
     "a window of 40": lambda *given: learn(*given, window=40),

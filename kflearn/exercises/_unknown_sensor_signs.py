@@ -2,16 +2,11 @@
 
 import numpy as np
 
-from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share, used_R
+from kflearn.exercises import _scenes
+from kflearn.exercises._inside import added, another_order, predictions, recognised, same_P, share
 from kflearn.exercises._judge import pair
-from kflearn.exercises._unknown_sensor import BAD, GOOD, MARKS, settled
-
-H = np.array([[1.0, 0.0]])
-
-
-def empty(recording):
-    """The steps but the first without a reading."""
-    return np.isnan(recording[0][0][1:])
+from kflearn.exercises._unknown_sensor import BAD, GOOD, settled
+from kflearn.exercises._unknown_sensor_seen import MARKS, empty, learnt, restless, scenes, used
 
 
 def widened(answer, answers, recordings):
@@ -54,15 +49,6 @@ MOVES = [
         "Your state moves as the lesson's cart does. Here F and Q are given, of another cart.",
     ),
 ]
-
-
-def used(answers, recordings):
-    """For each recording: the R used in each step but the first, and where there is a reading."""
-    pairs = list(zip(answers, recordings, strict=True))
-    extra = [abs(added(*pair(a), r[0][1])[1][empty(r)] - r[0][2]).max(axis=(1, 2)) / r[0][2].max() for a, r in pairs]
-    if np.median(np.concatenate(extra)) > 0.5:
-        raise ValueError("no filter, so its corrections cannot be read")
-    return [used_R(pair(a)[1], r[0][1], r[0][2], H) for a, r in pairs], [~empty(r) for _, r in pairs]
 
 
 def gates(answer, answers, recordings):
@@ -138,19 +124,6 @@ def floored(answer, answers, recordings):
     return None
 
 
-def learnt(R, recordings):
-    """Where R̂ ends after the change, and how many readings that takes: for each new level of R, the median."""
-    level, needed = {GOOD: [], BAD: []}, {GOOD: [], BAD: []}
-    for each, (_, truth) in zip(R, recordings, strict=True):
-        after, new = each[np.flatnonzero(np.diff(truth[:, 2]))[0] :], truth[-1, 2]
-        after = after[np.isfinite(after)]
-        there = after < 3 if new == GOOD else after > 8
-        wrong = [n for n in range(len(there) - 15) if there[n : n + 15].mean() < 0.5]
-        level[new].append(np.median(after[45:]))
-        needed[new].append(wrong[-1] + 8 if wrong else 0)
-    return [np.median(each[new]) for each in (level, needed) for new in (GOOD, BAD)]
-
-
 def follows(answer, answers, recordings):
     """R̂ after a change."""
     R, _ = used(answers, recordings)
@@ -173,38 +146,57 @@ def follows(answer, answers, recordings):
 
 def ends(good, bad):
     """Where R̂ ends."""
+    levels = f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m²"
     if good > 30 and bad > 30:
-        return (
-            f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m². Is that the variance "
-            "of the readings? The cart moves, and its way is no noise. C is the mean of the squared innovations."
-        )
-    if 2.5 < bad < 5.5 and good < 2:
-        return (
-            f"Your R̂ is about {bad:.2g} m² where the sensor's R is 16 m². Is a standard deviation, or a root, in place of a "
-            "variance? C is the mean of the squared innovations."
-        )
-    if bad < 2.5:
-        return f"Your R̂ is about {bad:.2g} m² where the sensor's R is 16 m²: it does not follow a sensor that becomes worse."
+        return f"{levels}. Is that the variance of the readings? The cart moves, and its way is no noise. C is the mean of the squared innovations."
     if good > 2 and bad > 21:
+        return f"{levels}: too large both times. Is HP⁻Hᵀ taken off C?"
+    if bad < 5.5:
         return (
-            f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m²: too large both "
-            "times. Is HP⁻Hᵀ taken off C?"
+            f"{levels}: there it is far too small. C is the mean of the squared innovations, before the correction. Does a standard deviation, or a root, "
+            "stand in place of a variance, is it made of what is left after the correction, or does a limit hold R̂?"
         )
     return None
 
 
-def restless(R, recordings):
-    """R̂ jumps."""
-    jumps = []
-    for each, (_, truth) in zip(R, recordings, strict=True):
-        late = each[settled(truth[:, 2], truth[-1, 2])[1:] & np.isfinite(each)]
-        jumps.append(np.std(np.log(late)))
-    if np.median(jumps) > 0.8:
-        return (
-            "Your R̂ jumps up and down where the sensor does not change: it is the mean of too few squared innovations. A longer "
-            "window is steadier."
-        )
+def levels(answer, answers, recordings):
+    """R̂ that is wrong by a factor where the sensor does not change."""
+    good, bad, *_ = learnt(used(answers, recordings)[0], recordings)
+    if 0.5 < good < 2 and 10 < bad < 24:
+        return None
+    return (
+        f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m². What is taken off C must be the HP⁻Hᵀ of "
+        "the same step."
+    )
+
+
+def capped(answer, answers, recordings):
+    """R̂ that is the same, largest number in many steps."""
+    R = np.concatenate([each[np.isfinite(each)] for each in used(answers, recordings)[0]])
+    at_top = (1 - 1e-6) * R.max() < R
+    if 0.05 < at_top.mean() < 0.95 and R.max() < 14:
+        return f"Your R̂ is {R.max():.3g} m² in {100 * at_top.mean():.0f} % of the steps, and never larger: a limit holds it. The sensor's R may be 16 m²."
     return None
+
+
+def two_gains(answer, answers, recordings):
+    """A mean that moves with one R, and a P that follows another."""
+    found = []
+    for scene in scenes(answers, recordings):
+        if not np.allclose(scene.grown, scene.Q[scene.empty], rtol=1e-3, atol=1e-3 * scene.Q.max()):
+            return None
+        (x, P), seen = scene.ahead, ~scene.empty
+        share = ((scene.mean[1:] - x)[:, 0] / (scene.z[:, 0] - x[:, 0]))[seen]
+        found.append(P[seen, 0, 0] * (1 / share - 1))
+    found = np.concatenate(found)
+    if np.ptp(found) < 1e-3 * abs(np.median(found)):
+        return f"Your mean moves by the gain of R = {np.median(found):.3g} m² in every step. Use the same R, the learnt one, for x and for P."
+    return None
+
+
+def seen(check, *words, of_filters_only=False):
+    """A sign from a check of scenes."""
+    return _scenes.sign(check, scenes, "steps", *words, of_filters_only=of_filters_only)
 
 
 ORDER = "In another order of your states all of this passes. The order is: position, velocity."
@@ -214,9 +206,18 @@ SIGNS = [
     another_order(MARKS, ORDER),
     moved,
     widened,
-    gates,
+    seen(_scenes.predicted),
+    seen(_scenes.negative),
+    seen(_scenes.rooted),
+    seen(_scenes.read_in_gaps, of_filters_only=True),
+    seen(_scenes.growth, "Q is given, and right; what changes is the sensor: learn R."),
     constant,
+    two_gains,
+    seen(_scenes.gain, "reading"),
+    gates,
     waits,
     floored,
+    capped,
     follows,
+    levels,
 ]

@@ -5,7 +5,7 @@ from itertools import cycle
 import numpy as np
 
 from kflearn.exercises import _slips_fifth_late_facts as facts
-from kflearn.exercises import _unknown_sensor, _unknown_sensor_signs
+from kflearn.exercises import _unknown_sensor, _unknown_sensor_seen, _unknown_sensor_signs
 from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
@@ -222,7 +222,7 @@ def moved_or_noisy():
         "`R = max(np.mean(recent[-30:]) - P[0, 0], 0.05)` with the squared innovations in `recent`, as soon as there are 30; before that R = 1.",
     ],
     recording=_unknown_sensor.unknown_sensor,
-    marks=_unknown_sensor.MARKS,
+    marks=_unknown_sensor_seen.MARKS,
     form=track(2),
     then="A bank with the candidates 1, 4 and 16 m² that may change, as in lesson 18, is nearer to the truth in the 25 steps after a change: 1.03 m against 1.13 m with a window of 30, where the sensor becomes good again.",
     passing=_unknown_sensor.PASSING,

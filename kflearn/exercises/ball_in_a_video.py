@@ -5,7 +5,7 @@ from itertools import cycle
 import numpy as np
 from scipy import ndimage
 
-from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_signs
+from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_seen, _thrown_ball_signs
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
@@ -152,7 +152,7 @@ def gravity(rows):
         "A NaN makes the NIS NaN, and no comparison with NaN is true: such a frame coasts by itself. For two numbers a gate at 11.8 refuses one good detection in 365.",
     ],
     recording=_thrown_ball.thrown,
-    marks=_thrown_ball.MARKS,
+    marks=_thrown_ball_seen.MARKS,
     form=track(4),
     then="Where does it pay? Compare with the detections in the frames where the ball was seen: an R of several px² is what makes a filter worth its lines here.",
     passing=_thrown_ball.PASSING,

@@ -4,7 +4,8 @@ import numpy as np
 
 from kflearn import Gaussian, boats, pda_filter
 from kflearn.exercises import _slips_fifth_late_facts as facts
-from kflearn.exercises._a_boat import FAILING, PASSING, SIGNS, lost_share, not_exact, places, recording, typical
+from kflearn.exercises._a_boat import FAILING, PASSING, lost_share, not_exact, places, recording, typical
+from kflearn.exercises._a_boat_signs import SIGNS
 from kflearn.exercises._slips_fifth_late_whose import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._turns import in_turn

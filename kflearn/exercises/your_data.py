@@ -4,7 +4,7 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _a_ride, _a_ride_signs
+from kflearn.exercises import _a_ride, _a_ride_seen, _a_ride_signs
 from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
@@ -268,7 +268,7 @@ def variance_at_rest(time, z, until):
         "`R = np.nanvar(z[time < 30], axis=0, ddof=1).mean()`; x = [z[0, 0], 0, z[0, 1], 0] with variances R and 9; a gate at 13.8 refuses one good reading in a thousand.",
     ],
     recording=_a_ride.a_ride,
-    marks=_a_ride.MARKS,
+    marks=_a_ride_seen.MARKS,
     form=track(4),
     then="Here the truth was known. For a file of your own the report card takes its place: hand it this filter, and read each line.",
     passing=_a_ride.PASSING,

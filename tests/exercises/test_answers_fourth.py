@@ -10,12 +10,12 @@ import kflearn
 from kflearn import Gaussian, boats, pda_filter
 from kflearn.exercises import _a_ride as ride
 from kflearn.exercises import _cart_with_gaps as cart
-from kflearn.exercises import _thrown_ball as ball
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises._a_stream import PASSING as STREAM
 from kflearn.exercises._a_stream_late import LATE
 from kflearn.exercises._slips_fourth import WRONG as FOUNDATIONS
 from kflearn.exercises._slips_fourth_later import WRONG as LATER
+from kflearn.exercises._thrown_ball_signs import by_distance
 from tests.exercises.hand_in import asked, assert_right, assert_told
 
 HOMES = {
@@ -284,7 +284,5 @@ def test_a_gate_of_so_many_pixels():
 
 
 def _told(text):
-    """What the last sign says of a function of this text."""
-    from kflearn.exercises._thrown_ball_signs import SIGNS
-
-    return SIGNS[-1](typed(text), [], ball.MARKS)
+    """What is said of a gate in a function of this text."""
+    return by_distance(typed(text), [], [])

@@ -188,7 +188,7 @@ NAMED = [
     (unknown_sensor, static, "let a bank change"),
     (unknown_sensor, with_(_unknown_sensor.learn, window=100), "a window must be shorter"),
     (unknown_sensor, with_(_unknown_sensor.learn, explained=False), "Is HP⁻Hᵀ taken off C?"),
-    (unknown_sensor, with_(_unknown_sensor.learn, rule=root), "Is a standard deviation, or a root"),
+    (unknown_sensor, with_(_unknown_sensor.learn, rule=root), "Does a standard deviation, or a root"),
     (unknown_sensor, with_(_unknown_sensor.learn, window=0, R=4.0), "uses R = 4 m² in every step"),
 ]
 

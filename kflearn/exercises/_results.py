@@ -1,0 +1,58 @@
+"""The results of a filter that is judged: mean and covariance, and what is said where they are none."""
+
+import numpy as np
+
+
+def pair(answer):
+    """Mean and covariance of what a filter returned."""
+    if hasattr(answer, "cov") and not callable(answer.cov):
+        return np.asarray(answer.mean, float), np.asarray(answer.cov, float)
+    mean, cov = answer
+    return np.asarray(mean, float), np.asarray(cov, float)
+
+
+def of_rows(answer, T, states):
+    """What is said of a result that is not two arrays, such as a list with a pair for each reading."""
+    wanted = f"two arrays are wanted, the means {(T, states)} and the covariances {(T, states, states)}"
+    rows = answer if isinstance(answer, (list, tuple)) else []
+    if rows and all((isinstance(row, (list, tuple)) and len(row) == 2) or hasattr(row, "cov") for row in rows):
+        return f"is one list with a mean and a covariance for each reading: {wanted}"
+    return f"is of type {type(answer).__name__}: {wanted}"
+
+
+def first_endless(answer):
+    """The first reading at which a result is not finite; None where all of it is."""
+    parts = (answer.mean, answer.cov) if hasattr(answer, "cov") and not callable(answer.cov) else answer
+    rows = [np.asarray(part, float) for part in (parts if isinstance(parts, tuple) else [parts])]
+    found = [np.argwhere(~np.isfinite(row)) for row in rows]
+    steps = [places[0][0 if row.ndim < 4 else 1] for row, places in zip(rows, found, strict=True) if len(places)]
+    return min(map(int, steps), default=None)
+
+
+def of_gaps(inputs, at):
+    """What is said of a result that is not finite from step `at` on: what the missing readings tell of the cause."""
+    series = [part for part in map(np.asarray, inputs) if part.dtype.kind == "f" and part.ndim]
+    longest = max(map(len, series), default=0)
+    gaps = [np.isnan(part.reshape(longest, -1)).all(axis=1) for part in series if len(part) == longest > at]
+    missing = np.any(gaps, axis=0)[: at + 1] if gaps else np.zeros(at + 1, bool)
+    if missing[at]:
+        return ". There the reading is NaN, and whatever is calculated with NaN is NaN: predict, and leave the correction out."
+    if missing[: max(at - 1, 0)].any():
+        said = "The reading there is a number, and missing readings have been passed before"
+    elif at and missing[at - 1]:
+        return ". It is the first after a missing reading: is something made of that NaN kept, such as an innovation in a window?"
+    else:
+        said = "The reading there is a number"
+    return f". {said}: is it the root of a negative number, or a division by zero?"
+
+
+def singular(answers):
+    """What is said of covariances of which one has no inverse."""
+    for recording, answer in enumerate(answers, 1):
+        for k, P in enumerate(pair(answer)[1]):
+            try:
+                np.linalg.inv(P)
+            except np.linalg.LinAlgError:
+                where = f"For recording {recording} P has no inverse at reading {k + 1}: it claims that something is known exactly"
+                return f"{where}. Is R in S, and Q in the prediction? Nothing else is judged yet."
+    return "A covariance has no inverse: it claims that something is known exactly. Nothing else is judged yet."
