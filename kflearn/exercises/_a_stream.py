@@ -3,8 +3,8 @@
 import numpy as np
 
 from kflearn import Gaussian, TimedFilter
-from kflearn.exercises._a_stream_late import LATE, step_to, white
-from kflearn.exercises._judge import Mark, inside, nees, pair, rms
+from kflearn.exercises._a_stream_late import LATE, at_its_own_time, sorted_first, step_to, white
+from kflearn.exercises._judge import pair
 
 A, L = [[0, 1], [0, 0]], [[0], [1]]
 END = 40.0  # seconds
@@ -147,41 +147,6 @@ def held(dt, q):
     return np.array([[1, dt], [0, 1]]), q * push @ push.T
 
 
-MARKS = [
-    Mark(
-        "error of the place (rms)",
-        rms(0, 10),
-        low=1.56,
-        high=1.69,
-        unit="m",
-        below="That is better than any filter can be that knows only what has arrived: are readings used before their `now`?",
-        above="Is a late reading used at the moment at which it was taken, and all younger readings after it once more?",
-    ),
-    Mark(
-        "error of the speed (rms)",
-        rms(1, 10),
-        high=1.2,
-        unit="m/s",
-        above="Look at F and Q, and at H and R of each row.",
-    ),
-    Mark(
-        "truth within ±2σ of the place",
-        inside(0, 10),
-        low=94,
-        high=97.1,
-        unit="%",
-        below="The claimed σ is too small: is a late reading taken for a new one, or is Q missing in the prediction to `now`?",
-        above="The claimed σ is too large: are all readings used, each with its own R?",
-    ),
-    Mark(
-        "NEES / 2",
-        nees(10),
-        low=0.9,
-        high=1.12,
-        below="The covariance is too large for the errors: look at Q and R.",
-        above="The covariance is too small for the errors: look at the order of the readings, and at the prediction to `now`.",
-    ),
-]
 PASSING = {
     "a library": fed(),
     "one step of retrodiction": fed(late="retrodict"),
@@ -223,6 +188,14 @@ SAID = LATE | {
     "σ for R": (
         rooted,
         "Your filter uses the root of R, σ. In S = H P Hᵀ + R stands the variance R.",
+    ),
+    "the state at t": (
+        at_its_own_time,
+        "For a row that arrives late you return the state at its t, when the reading was taken. Wanted is the state at its `now`, from all that has arrived.",
+    ),
+    "sorted as a whole": (
+        sorted_first,
+        "Your rows are sorted by t before the filter runs. Then it uses readings before they have arrived: in row k only the rows up to k are known, sorted by t.",
     ),
     "not moved to now": (
         not_moved,
@@ -274,6 +247,3 @@ def same(answer, other):
     mean, (wrong, spread) = pair(answer)[0], pair(other)
     std = np.sqrt(abs(np.diagonal(spread, axis1=-2, axis2=-1)))
     return np.mean(abs(mean - wrong) < 0.02 * std + 1e-9) > 0.97
-
-
-SIGNS = [named]

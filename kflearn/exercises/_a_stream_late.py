@@ -46,6 +46,39 @@ def even(middle):
     return follow
 
 
+def corrected(x, P, z, h, R):
+    """A correction by one number."""
+    K = P @ h / (h @ P @ h + R)
+    return x + K * (z - h @ x), P - np.outer(K, h @ P)
+
+
+def at_its_own_time(now, t, z, H, R, q, mean, cov):
+    """A replay that returns the state at t, the time of the reading, where a reading arrives late."""
+    kept, rows = [(0.0, mean, cov, -1)], []
+    for k in range(len(now)):
+        if np.isnan(z[k]):
+            rows.append(step_to(kept[-1][:3], now[k], q))
+            continue
+        younger = [i for time, _, _, i in kept if time > t[k]]
+        kept = kept[: len(kept) - len(younger)]
+        for i in [k, *younger]:
+            kept.append((t[i], *corrected(*step_to(kept[-1][:3], t[i], q), z[i], H[i], R[i]), i))
+        rows.append(next((x, P) for _, x, P, i in kept if i == k))
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
+def sorted_first(now, t, z, H, R, q, mean, cov):
+    """A filter of all rows in the order of t."""
+    rows, last = [None] * len(now), (0.0, mean, cov)
+    for k in np.argsort(t, kind="stable"):
+        x, P = step_to(last, t[k], q)
+        if not np.isnan(z[k]):
+            x, P = corrected(x, P, z[k], H[k], R[k])
+        last = t[k], x, P
+        rows[k] = step_to(last, now[k], q)
+    return tuple(np.array(part) for part in zip(*rows, strict=True))
+
+
 EVEN = "All your steps have the same length. Take dt from the times of the rows, each its own, and for a late reading its t."
 
 LATE = {

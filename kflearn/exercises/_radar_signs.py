@@ -7,6 +7,7 @@ import numpy as np
 
 from kflearn.exercises._judge import pair
 from kflearn.exercises._radar import F, Q, converted, extended, predicted
+from kflearn.exercises._radar_seen import of_P
 
 SEEN = 6  # steps in which a mistake is looked for first
 
@@ -44,11 +45,16 @@ def growing(answer, answers, recordings):
 
 
 def predictions(answer, answers, recordings):
-    """What is returned for the last step does not depend on its reading."""
-    z, mean, cov = recordings[0][0]
-    other = z.copy()
-    other[-1] += [1.0, 0.01]
-    if np.allclose(pair(answer(other, mean, cov))[0][-1], pair(answers[0])[0][-1], rtol=1e-9):
+    """What is returned for a step does not depend on its reading; what is returned for the next one does."""
+    (z, mean, cov), first = recordings[0][0], pair(answers[0])[0]
+    now, later = [], []
+    for k in (30, 60, 90):
+        other = z.copy()
+        other[k] += [1.0, 0.01]
+        again = pair(answer(other, mean, cov))[0]
+        now.append(np.allclose(again[k], first[k], rtol=1e-9))
+        later.append(np.allclose(again[k + 1], first[k + 1], rtol=1e-9))
+    if all(now) and not any(later):
         return (
             "What you return for a step does not depend on the reading of that step, only on those before it: these are "
             "the predictions. Store x and P after the correction."
@@ -270,4 +276,4 @@ MISTAKES = [
         "The innovation has the wrong sign: it is the reading minus what is expected.",
     ),
 ]
-SIGNS = [known, raw, predictions, growing, another_order, jumps]
+SIGNS = [known, raw, predictions, growing, another_order, jumps, of_P]

@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn import angle_difference, bearings
 from kflearn.exercises import _code_of
+from kflearn.exercises._judge import Likely
 
 STEPS, LONGEST, SETTLED = 325, 14, 30  # readings in a recording, in an echo; after a change, until it is judged again
 HABITS = bearings.VARIANTS["crossing"]
@@ -98,7 +99,9 @@ def of_one(answers, recordings):
         )
     if np.mean(begin) > 0.4:
         return "At the beginning the filter follows the first readings, and they may be an echo. What do the first fifteen together say?"
-    return "Is every difference taken the short way round, and does the filter keep up with a speaker who walks?"
+    return Likely(
+        "Is every difference taken the short way round, and does the filter keep up with a speaker who walks?"
+    )
 
 
 def of_two(answers, recordings):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from kflearn.exercises._inside import used_R
-from kflearn.exercises._judge import pair
+from kflearn.exercises._judge import Likely, pair
 
 STEPS, F, Q = 100, np.array([[1.0, 1.0], [0.0, 1.0]]), np.diag([0.005, 0.01])
 MEAN, COV = np.zeros(2), np.diag([50.0**2, 5.0**2])
@@ -204,7 +204,7 @@ def look(otherwise):
         try:
             return named(answers, recordings)
         except np.linalg.LinAlgError:
-            return otherwise
+            return Likely(otherwise)
 
     return words
 

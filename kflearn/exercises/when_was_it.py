@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises import _a_stream
+from kflearn.exercises import _a_stream, _a_stream_seen, _a_stream_signs
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_fifth_late_when import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
@@ -78,12 +78,12 @@ def which_step():
         "`TimedFilter(lambda dt: discretise(A, L, q, dt), Gaussian(mean, cov), 0)` does it: `update(z, H, R, t)` for each reading, `predict_to(now)` for each row.",
     ],
     recording=_a_stream.stream,
-    marks=_a_stream.MARKS,
+    marks=_a_stream_seen.MARKS,
     form=track(2),
     then="Put your class into a file of its own, with a test that hands in the same readings in two orders: with a replay both must give the same belief.",
     passing=_a_stream.PASSING,
     failing=_a_stream.FAILING,
-    signs=_a_stream.SIGNS,
+    signs=_a_stream_signs.SIGNS,
 )
 def live(now, t, z, H, R, q, mean, cov):
     """A filter for a stream of readings of which some arrive late: the belief at each `now`, mean (N, 2) and covariance (N, 2, 2).
