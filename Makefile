@@ -12,6 +12,7 @@ MORE := $(VENV)/more
 FIRST := 00-start-here.ipynb
 ROOT := $(if $(filter 0,$(shell id -u)),--allow-root)
 QUICK := $(addprefix tests/,core models results filters fitting targets course test_house.py test_import.py) kflearn
+SITE := $(addprefix tests/dev/test_,site.py page.py named.py equations.py access.py)
 define ROOT_NOTE
 @echo "You are root, as in a container or in WSL: JupyterLab is told that this is meant."
 @echo "If no browser opens, open the address that JupyterLab prints."
@@ -55,7 +56,7 @@ notebooks: $(READY)       ## execute every lesson again, in place
 
 site: $(MORE)             ## the course as a web page, in build/site, with its tests: about ten minutes on two cores
 	$(BIN)/python -m dev.web.build
-	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load tests/dev/test_site.py tests/dev/test_page.py tests/dev/test_named.py
+	KFLEARN_SITE=build/site $(BIN)/python -m pytest -n $(WORKERS) --dist=load $(SITE)
 
 pdf: $(MORE)              ## that page as one PDF, in build/course.pdf
 	$(BIN)/python -m dev.web.pdf

@@ -29,7 +29,7 @@ from pathlib import Path
 import nbformat
 
 from dev import lessons as course
-from dev.web import about, api, card, frames, help, named, packed, teaches
+from dev.web import about, api, card, equations, frames, help, named, packed, teaches
 
 ROOT = Path(__file__).parents[2]
 PAGES = Path(__file__).parent / "pages"
@@ -197,18 +197,18 @@ def prepare(lessons, folder):
     playgrounds(folders, folder / "static")
     texts = {path.name: path for path in sorted(NOTEBOOKS.glob("*.md"))}
     texts |= {"class-server.md": ROOT / "class" / "README.md", "changelog.md": ROOT / "CHANGELOG.md"}
-    package = api.pages(lessons) | {"cite.md": about.citation(ROOT)}
-    pages, alts = [*(path.name for path in lessons), *texts, *package], {}
+    made = {"equations.md": equations.page(lessons)}
+    made |= {name: path.read_text(encoding="utf-8").replace("](../notebooks/", "](") for name, path in texts.items()}
+    made |= api.pages(lessons) | {"cite.md": about.citation(ROOT)}
+    pages, alts = [*(path.name for path in lessons), *made], {}
     facts = leads(lessons, pages, folder)
     for path, notebook, pictures in zip(lessons, notebooks, folders, strict=True):
+        equations.mark(notebook.cells, path.name[:2])
         alts |= page(notebook, about.note(path.name, facts["zip"]), pictures, pages)
         notebook.cells.insert(-1, nbformat.v4.new_markdown_cell(api.names_of(path)))
         nbformat.write(notebook, folder / path.name)
-    for name, path in texts.items():
-        text = path.read_text(encoding="utf-8").replace("](../notebooks/", "](")
+    for name, text in made.items():
         (folder / name).write_text(relink(text, pages), encoding="utf-8")
-    for name, text in package.items():
-        (folder / name).write_text(text, encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("](notebooks/", "](")
     readme = readme.replace("](class/README.md)", "](class-server.md)").replace("](CHANGELOG.md)", "](changelog.md)")
     (folder / "README.md").write_text(relink(about.without(about.FOLDER, readme), pages), encoding="utf-8")

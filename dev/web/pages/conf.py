@@ -7,8 +7,9 @@ from pathlib import Path, PurePath
 
 from docutils import nodes
 from math_core import LatexToMathML
+from sphinx import addnodes
 
-from dev.web import teaches
+from dev.web import equations, teaches
 
 HERE = Path(__file__).parent
 GLOSSARY = (HERE / "appendix-glossary.md").read_text(encoding="utf-8")
@@ -63,8 +64,7 @@ def formulas(self, node):
         parts = [text]
     self.body.append('<div class="formulas">')
     for part in parts:
-        number = re.search(NUMBER, part)
-        anchor = f' id="eq-{number[1]}"' if number else ""
+        anchor = "".join(f' id="eq-{number}"' for number in numbers(part)[:1])
         self.body.append(f"<div{anchor}>{LATEX.convert_with_local_state(part, displaystyle=True)}</div>")
     self.body.append("</div>")
     raise nodes.SkipNode
@@ -72,17 +72,24 @@ def formulas(self, node):
 
 # ---- cross references: "(7)" leads to the equation, "lesson 7" to the lesson
 
-NUMBER = r"(?:\\q?quad\s*)+\((\d+J?)\)"
+NUMBER = r"(?:\\q?quad\s*)+\((\d+(?:\\mathrm J)?)\)"
 MENTION = r"(?<![\w)])\((\d+J?)\)|\b[Ll]essons? (\d+)\b"
 SILENT = nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.reference, nodes.title, nodes.raw
 EQUATIONS = {}  # number → the pages that have it
+FORMULAS = {each.number: each.formula.strip("$") for each in equations.table()}
+
+
+def numbers(formulas):
+    """The numbers of equations at the ends of some formulas: "7", "9J"."""
+    return [number.replace(r"\mathrm ", "") for number in re.findall(NUMBER, formulas)]
 
 
 def collect(app, doctree):
     """Remember where equations are; give words to the search, and to pictures."""
     for block in doctree.findall(nodes.math_block):
-        for number in re.findall(NUMBER, block.astext()):
+        for number in numbers(block.astext()):
             EQUATIONS.setdefault(number, []).append(app.env.docname)
+    doctree.append(addnodes.index(entries=list(asked_for(app.env.docname, doctree))))
     if words := teaches.words(app.env.docname, GLOSSARY):
         doctree.append(nodes.meta(name="keywords", content=", ".join(words)))
     alts = json.loads(Path(app.srcdir, "alts.json").read_text(encoding="utf-8"))
@@ -91,6 +98,19 @@ def collect(app, doctree):
             paragraph["classes"].append("onward")
     for image in doctree.findall(nodes.image):
         image["alt"] = image.get("alt") or alts.get(PurePath(image["uri"]).stem, "")
+
+
+def asked_for(docname, doctree):
+    """The search's entries for the equations of a page: first where they are derived, by any name, and then where they
+    only stand, by their number. Each leads to the first name of a place, because the search shows the text there."""
+    places = {name: node["ids"][0] for node in doctree.findall(nodes.Element) for name in node.get("ids", [])}
+    for each in equations.table():
+        if each.label in places:
+            for words in sorted(equations.words(each)):
+                yield "single", words, places[each.label], "main", None
+        elif docname in EQUATIONS.get(each.number, []):
+            for words in equations.numbered(each.number):
+                yield "single", words, f"eq-{each.number}", "", None
 
 
 def refer(app, doctree, docname):
@@ -110,9 +130,18 @@ def linked(app, docname, text, found):
         if page:
             uri = app.builder.get_relative_uri(docname, page) if page != docname else ""
             yield nodes.Text(text[end : mention.start()])
-            yield nodes.reference("", mention[0], refuri=uri + anchor, internal=True)
+            yield nodes.reference("", mention[0], *glance(text, mention[1]), refuri=uri + anchor, internal=True)
             end = mention.end()
     yield nodes.Text(text[end:])
+
+
+def glance(text, number):
+    """The formula that a mouse on its number shows (course.css); not in tables, which would cut it off."""
+    place = text
+    while place and not isinstance(place, nodes.table):
+        place = place.parent
+    if number in FORMULAS and not place:
+        yield nodes.inline("", "", nodes.math("", FORMULAS[number]), classes=["glance", "no-search"])
 
 
 def destination(app, docname, equation, lesson):

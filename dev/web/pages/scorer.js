@@ -1,5 +1,6 @@
-// The search: a lesson that teaches a term comes before the pages that only mention it. Sphinx calls `score` for each
-// page it has found; teaches.py puts the glossary's terms in here, each with the pages of its lessons.
+// The search: a lesson that teaches a term comes before the pages that only mention it, and the place where an equation
+// is derived before both. Sphinx calls `score` for each page it has found; teaches.py puts the glossary's terms in here,
+// each with the pages of its lessons. The equations are entries of Sphinx's index, which conf.py makes.
 
 var Scorer = {
   // Sphinx's own numbers
@@ -15,10 +16,11 @@ var Scorer = {
   taught: TAUGHT, // "consider filter" → "21-consider-filter", …
   extra: {}, // query → page → points
 
-  score: ([page, , , , score]) => {
+  score: ([page, , , , score, , kind]) => {
     const query = new URLSearchParams(window.location.search).get("q") || "";
     Scorer.extra[query] ??= Scorer.points(query);
-    return score + (Scorer.extra[query].get(page) || 0);
+    const equation = kind === "index" && score === 100 ? 200 : 0; // asked for by its whole name
+    return score + equation + (Scorer.extra[query].get(page) || 0);
   },
 
   // For a term asked for exactly 200, for a longer term with these words 100, a little less for its second lesson.

@@ -5,7 +5,7 @@ document.addEventListener("click", ({ target }) => {
   if (target.matches(".kf-picture > :is(canvas, img)")) target.parentElement.classList.toggle("large");
 });
 
-// Code that is wider than the page can be scrolled with keys too: Tab goes there.
+// Code, tables and formulas that are wider than the page can be scrolled with keys too: Tab goes there.
 
 const wide = new ResizeObserver((all) => {
   for (const { target } of all) {
@@ -13,4 +13,4 @@ const wide = new ResizeObserver((all) => {
     else target.removeAttribute("tabindex");
   }
 });
-for (const code of document.querySelectorAll("pre")) wide.observe(code);
+for (const part of document.querySelectorAll("pre, .table-wrapper, .formulas > div")) wide.observe(part);
