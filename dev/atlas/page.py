@@ -12,13 +12,13 @@ LIBRARIES = Path(__file__).parent / "libraries"
 RETURNED = ("means", "covs", "log_likelihood")
 HEAD = """# Appendix · Other libraries
 
-You know a filter in `kflearn` and have to use another library, or the other way round. Libraries differ where nobody looks: in when the start holds, in what becomes of a missing reading, and in what they call a log-likelihood. This page says so for {count} of them. Every cell of the table, and every line of code, {ran}.
+You know a filter in `kflearn` and have to use another library, or the other way round. Libraries differ where nobody looks: in when the start holds, in what becomes of a missing reading, and in what they call a log-likelihood. This page says so for {count} of them. Every cell of the table, and every line of code, {ran}. [Lesson 29](29-take-it-to-your-library.ipynb) takes one filter to three of these libraries, step by step.
 
 [Start here](00-start-here.ipynb) · [Notation](appendix-notation.md) · [Glossary](appendix-glossary.md) · [Errata museum](appendix-errata-museum.md) · [Cheat sheet](appendix-cheat-sheet.md) · [Real recordings](appendix-recordings.md) · [What loggers write](appendix-loggers.md)
 
 ## What was asked
 
-Three tiny problems were given to each library: a random walk, a position with its velocity whose third reading is missing, and the same with two measured components, one of them missing once. Each library got the belief, the matrices and the readings as they are, NaN (in R and gretl NA) for what is missing. The right answers come from no filter: all states and readings are one large Gaussian, and the readings condition it (`dev/atlas/problems.py`).
+There are three tiny problems, and each library got those that it can take: a random walk, a position with its velocity whose third reading is missing, and the same with two measured components, one of them missing once. Each library got the belief, the matrices and the readings as they are, NaN (in R and gretl NA) for what is missing. The right answers come from no filter: all states and readings are one large Gaussian, and the readings condition it (`dev/atlas/problems.py`).
 
 - **Start:** does the belief hold one step before the first reading, so that the filter predicts first, or at the first reading?
 - **A gap:** what becomes of a reading that is NaN?
@@ -48,7 +48,7 @@ again = kalman_filter(from_first_reading(model, len(z)), z, theirs)  # and back:
 
 ## The same numbers in each library
 
-The lines below take the matrices F, H, Q, R, the belief x, P of `kflearn`'s kind and the readings z (T, m), with NaN in gaps. They give the means (T, n), the covariances (T, n, n) and, where the library has one, the log-likelihood of `kflearn`. `np` is NumPy. The figure behind *same numbers* is the largest difference from the exact answer in the first two problems.
+The lines below take the matrices F, H, Q, R, the belief x, P of `kflearn`'s kind and the readings z (T, m), with NaN in gaps. They give the means (T, n), the covariances (T, n, n) and, where they name `log_likelihood`, that of `kflearn`. `np` is NumPy. The figure behind *same numbers* is the largest difference from the exact answer in the first two problems, which have no half readings. Half a reading is used by the lines of those libraries only of which the table says that *the other part is used*; with the lines of the others it is dropped, or the means are NaN from there on.
 """
 OTHERS = """
 ## The same numbers outside Python

@@ -87,9 +87,10 @@ def likelihood(plain, when):
     bare = right + count * LOG
     known = {"with log 2π": right, "without log 2π": bare, "twice, without log 2π": 2 * bare, "negative": -right,
              "½ (log s² + mean of log S)": scaled_out(problem, when)}  # fmt: skip
+    sign, wanted = ("minus log L, ", -right) if found * right < 0 else ("", right)
     return next(
         (word for word, value in known.items() if abs(found - value) < NEAR),
-        f"wrong: {found:.3f} for {right:.3f}".replace("-", "−"),
+        f"{sign}wrong: {found:.3f} for {wanted:.3f}".replace("-", "−"),
     )
 
 

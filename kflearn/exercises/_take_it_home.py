@@ -12,7 +12,7 @@ FINE = {
 }
 UNUSABLE = {
     "B": "B is missing: it is the sensor of the experiment above, whose estimate begins at 0.00 and stays near it.",
-    "D": "D is missing: a sensor with the opposite sign has −1 on its diagonal. What are 25 times that?",
+    "D": "D is missing: a sensor with the opposite sign has −1 on its diagonal. What is 25 times that?",
     "E": "E is missing: it sees both states, but in the other order. Which numbers are on its diagonal?",
 }
 
@@ -82,6 +82,23 @@ def first_entries(x, P, z, H, R):
     return corrected(x, P, seen, H, R[: len(seen), : len(seen)])
 
 
+def with_S(x, P, z, H, S):
+    K = P @ H.T @ np.linalg.inv(S)
+    return x + K @ (z - H @ x), P - K @ H @ P
+
+
+def diagonal_of_R(x, P, z, H, R):
+    """R as a vector, which NumPy adds to every row of S."""
+    seen = ~np.isnan(z)
+    return with_S(x, P, z[seen], H[seen], H[seen] @ P @ H[seen].T + R[seen, seen])
+
+
+def diagonal_of_R_solved(x, P, z, H, R):
+    """The same where the gain is `solve(S, H @ P).T`, which takes S for symmetric."""
+    seen = ~np.isnan(z)
+    return with_S(x, P, z[seen], H[seen], (H[seen] @ P @ H[seen].T + R[seen, seen]).T)
+
+
 def without_R(x, P, z, H, R):
     seen, H, R = part(z, H, R)
     return corrected(x, P, seen, H, 1e-9 * R)
@@ -105,6 +122,10 @@ def mean_alone(x, P, z, H, R):
 
 CONSTANT = np.log(2 * np.pi) / 2
 LOG_L = -31.40
+TWICE = r"\[(\w+), ?\1\]"  # one name for rows and columns, as in R[seen, seen]
+VECTOR = (
+    "R came in as a vector, its diagonal: that is what `R[seen, seen]` gives. The matrix is `R[np.ix_(seen, seen)]`."
+)
 
 WRONG = {
     "start_covariance": {
@@ -114,7 +135,7 @@ WRONG = {
         ),
         "Q alone added": (
             [[4, 0], [0, 2]],
-            "You added Q to P. The step also moves the state, and with it the covariance: F P Fᵀ first.",
+            "That is P + Q. The step also moves the state, and with it the covariance: F P Fᵀ first, with `@` (`*` multiplies entry by entry).",
         ),
         "without Q": ([[8, 2], [2, 1]], "That is F P Fᵀ. In that step the state is disturbed as well: Q is missing."),
         "F on one side": (
@@ -172,6 +193,18 @@ WRONG = {
             LOG_L - 40 * CONSTANT,
             "You took ½ log 2π once for each row. Each row has two numbers, and each of them its own ½ log 2π.",
         ),
+        "one a row, of all rows": (
+            LOG_L - 50 * CONSTANT,
+            "You took ½ log 2π once for each of the 50 rows. Each number that was used has its own: two in a whole row, none in a gap or a half reading.",
+        ),
+        "one a row, half readings counted": (
+            LOG_L - 44 * CONSTANT,
+            "You took ½ log 2π once for each of 44 rows. Each row has two numbers, and the 4 half readings are dropped: count the numbers of the other rows.",
+        ),
+        "one off in ten rows": (
+            LOG_L - 90 * CONSTANT,
+            "You left out one number in each of the ten rows that are not whole. Nothing of them was used: leave out two in each.",
+        ),
         "no half": (
             LOG_L - 160 * CONSTANT,
             "You took log 2π off for each number. It is ½ log 2π: the density has the root of 2π.",
@@ -209,6 +242,8 @@ WRONG = {
             first_entries,
             "You cut the first rows and columns out of R, whichever number is missing. Take those of the numbers that are there.",
         ),
+        "diagonal of R": (diagonal_of_R, VECTOR, TWICE),
+        "diagonal of R, solved": (diagonal_of_R_solved, VECTOR, TWICE),
         "NaN kept": (
             corrected,
             "That is the usual correction: one NaN in z makes the whole mean NaN. Use only the rows of z and H, and the rows and columns of R, of the numbers that are there.",

@@ -61,11 +61,11 @@ def use_what_is_there(x, P, z, H, R):
     hints=[
         "The lesson says how its own start is made: 25 times the sum of the diagonal of H, times I. Which entries of a matrix with one row and two columns are on its diagonal?",
         "Of [[h₁, h₂]] only h₁ is on the diagonal; of two rows it is the first number of the first and the second of the second. Write the five sums down.",
-        "By experiment: `simdkalman.KalmanFilter(np.eye(2), np.eye(2), H, np.eye(len(H)))`, then `compute` one row of NaN with `filtered=True` and look at `filtered.states.cov`.",
+        "By experiment: `simdkalman.KalmanFilter(np.eye(2), np.eye(2), H, np.eye(len(H)))`, then `compute` one row of NaN, `np.full((1, 1, len(H)), np.nan)`, with `filtered=True` and look at `filtered.states.cov`.",
         "The sums are 1, 0, 2, −1 and 0, for A to E.",
     ],
     wrong={", ".join(sorted(picked)): (picked, sentence) for picked, sentence in wrong_sensors()},
-    then="With 0 the filter is sure of a state that nobody told it, and with −25 its gain is no gain at all. Give a start of your own, always.",
+    then="With 0 the filter is sure of a state that nobody told it, and with −25 its first estimate goes beyond what the reading says (R below 25) or to the other side (R above 25). Give a start of your own, always.",
 )
 def own_start():
     """For which sensors does the library's own start have a variance of zero or below?"""

@@ -1,6 +1,7 @@
 """The page about other libraries: its right answers, what it says of kflearn, and that it is up to date."""
 
 import json
+import runpy
 import sys
 import warnings
 
@@ -59,6 +60,7 @@ def test_each_convention_is_seen():
     assert missing(odd(ZERO), "moving", FIRST) == "wrong"
     assert likelihood(odd(USED, factor=-1), BEFORE) == "negative"
     assert likelihood(odd(USED, factor=3), BEFORE).startswith("wrong: −41.7")
+    assert likelihood(odd(USED, factor=-3), BEFORE) == "minus log L, wrong: 41.712 for 13.904"
     assert start(odd(USED, HALF)) == HALF and missing(odd(USED, HALF), "moving", HALF) == "skipped"
     assert start(odd(USED, NONE)) == start(odd(USED, NONE), "state") == NONE
     assert missing(odd(USED, NONE), "level", NONE) == "skipped"
@@ -123,6 +125,16 @@ def test_the_page_says_what_these_libraries_do_today(name):
         found = found_in(path)
     assert row(parts(path)[0], found) in PAGE
     assert found["same"] < 1e-12 and "Same numbers" in section(path, found)
+
+
+@pytest.mark.parametrize("name", HERE)
+def test_what_the_lines_on_the_page_make_of_half_a_reading(name):
+    path, used = LIBRARIES / f"{name}.py", atlas.stored()[LIBRARIES / f"{name}.py"]["part"] == "the other part is used"
+    lines, problem = runpy.run_path(str(path))["same"], arrays("two")
+    others = ("the whole reading is dropped", "NaN from there on, P stays finite")
+    assert missing(lines, "two", BEFORE) in (("the other part is used",) if used else others)
+    density = attempt(lines, problem)[2]
+    assert density is None or abs(density - answers(problem)[BEFORE, USED if used else DROPPED][2]) < 1e-10
 
 
 @pytest.mark.timeout(300)

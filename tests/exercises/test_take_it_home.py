@@ -51,6 +51,20 @@ def test_right_forms_pass(name):
         assert_right(f"take_it_home.{name}", answer)
 
 
+def diagonal_inverted(x, P, z, H, R):
+    seen = ~np.isnan(z)
+    H, R = H[seen], R[seen, seen]
+    K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+    return x + K @ (z[seen] - H @ x), P - K @ H @ P
+
+
+def diagonal_solved(x, P, z, H, R):
+    seen = ~np.isnan(z)
+    H, R = H[seen], R[seen, seen]
+    K = np.linalg.solve(H @ P @ H.T + R, H @ P).T
+    return x + K @ (z[seen] - H @ x), P - K @ H @ P
+
+
 SAID = [
     ("start_covariance", [[4, 0], [0, 1]], "predict once"),
     ("start_covariance", [[4, 10], [0, 2]], "transposed"),
@@ -58,6 +72,16 @@ SAID = [
     ("with_the_constant", -68.2, "once for each row"),
     ("use_what_is_there", lambda x, P, z, H, R: joseph(x, P, np.nan_to_num(z), H, R), "put 0 in place of NaN"),
     ("use_what_is_there", lambda x, P, z, H, R: (x, P), "as it came in"),
+    ("use_what_is_there", diagonal_inverted, "R came in as a vector"),
+    ("use_what_is_there", diagonal_solved, "R came in as a vector"),
+    ("with_the_constant", -77.3, "each of the 50 rows"),
+    ("with_the_constant", -71.8, "each of 44 rows"),
+    ("with_the_constant", -114.1, "one number in each of the ten rows"),
+    (
+        "start_covariance",
+        np.array([[1, 2], [0, 1]]) * np.diag([4, 1]) * np.array([[1, 0], [2, 1]]) + np.diag([0, 1]),
+        "`@`",
+    ),
     ("own_start", {"B"}, "D is missing"),
     ("own_start", {"A", "B", "D", "E"}, "A has 1 on its diagonal"),
 ]
@@ -77,6 +101,13 @@ def test_the_librarys_own_starts_are_those_of_the_hunt():
         assert variance == 25 * np.trace(H)
         found |= {letter} if variance <= 0 else set()
     assert found == asked("take_it_home.own_start")._solve()
+
+
+@pytest.mark.parametrize("R", [1, 20, 30, 100])
+def test_what_a_start_with_a_negative_variance_makes_of_a_depth(R):
+    kf = simdkalman.KalmanFilter([[1, 1], [0, 1]], 0.01 * np.eye(2), SENSORS["D"], R)
+    first = kf.compute(np.full((1, 1), -10.0), 0, filtered=True).filtered.states.mean[0, 0, 0]
+    assert first > 10 if R < 25 else first < 0
 
 
 def test_pykalman_takes_one_offset_too_many_and_begins_with_the_first():

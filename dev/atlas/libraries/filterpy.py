@@ -1,7 +1,7 @@
 """FilterPy
 
-A gap is None, not NaN. `log_likelihood` belongs to one step and has log 2π in it; after update(None) it still speaks
-of the step before, so add up only the steps with a reading.
+A gap is None, not NaN. `log_likelihood` belongs to one step and has log 2π in it; after update(None) it is
+that of an innovation 0 with the S of the step before, so add up only the steps with a reading.
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
 """minkf
 
-Its M is our F, its K our H; readings and estimates are lists. Do not use its likelihood: a factor ½ is missing before
-the logarithm (`findings/minkf-half-log-determinant.sh`).
+Its M is our F, its K our H; readings and estimates are lists. Its likelihood is minus the log-likelihood, but do
+not use it: a factor ½ is missing before the logarithm (`findings/minkf-half-log-determinant.sh`).
 """
 
 import minkf

@@ -1,7 +1,7 @@
 """simdkalman
 
 Data have the shape (series, time, m). Its log-likelihood has no log 2π in it: take ½ log 2π off for each number that
-was read.
+was used, which those of half a reading are not.
 """
 
 import numpy as np
@@ -21,4 +21,5 @@ def same(F, H, Q, R, x, P, z):
     start = F @ x, F @ P @ F.T + Q
     done = kf.compute(z[None], 0, *start, filtered=True, log_likelihood=True)
     means, covs = done.filtered.states.mean[0], done.filtered.states.cov[0]
-    return means, covs, done.log_likelihood[0] - np.sum(~np.isnan(z)) * np.log(2 * np.pi) / 2
+    used = z[~np.isnan(z).any(axis=1)].size
+    return means, covs, done.log_likelihood[0] - used * np.log(2 * np.pi) / 2
