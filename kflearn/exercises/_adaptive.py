@@ -52,7 +52,7 @@ WRONG = {}
 WRONG["matrix_R"] = {
     "mean removed": (
         lambda y, H, P: estimate(y, H, P, lambda y: np.cov(y.T, bias=True)),
-        "You took the mean of the innovations off. They should average 0, and if they do not, that belongs to C.",
+        "Here the mean of the innovations is taken off. They should average 0, and if they do not, that belongs to C.",
     ),
     "np.cov": (
         lambda y, H, P: estimate(y, H, P, lambda y: np.cov(y.T)),
@@ -60,15 +60,15 @@ WRONG["matrix_R"] = {
     ),
     "summed": (
         lambda y, H, P: estimate(y, H, P, lambda y: y.T @ y),
-        "You summed the y yᵀ. C is their mean: divide by the number of rows.",
+        "Your C is the sum of the y yᵀ. It is their mean: divide by the number of rows.",
     ),
     "divided by m": (
         lambda y, H, P: estimate(y, H, P, lambda y: y.T @ y / y.shape[1]),
-        "You divided by the number of sensors. C is a mean over the innovations, the rows: `len(y)`.",
+        "Your C is the sum of the y yᵀ divided by the number of sensors. It is a mean over the innovations, the rows: `len(y)`.",
     ),
     "N − 1": (
         lambda y, H, P: estimate(y, H, P, lambda y: y.T @ y / (len(y) - 1)),
-        "You divided by N − 1. No mean was estimated: divide by N.",
+        "Your C is divided by N − 1. No mean was estimated: divide by N.",
     ),
     "variances only": (
         lambda y, H, P: estimate(y, H, P, lambda y: np.diag(np.mean(y**2, axis=0))),
@@ -88,7 +88,7 @@ WRONG["matrix_R"] = {
     ),
     "H forgotten": (
         lambda y, H, P: y.T @ y / len(y) - P[: len(H), : len(H)],
-        "You took a corner of P. What the sensors see of the prediction's doubt is H P Hᵀ.",
+        "A corner of P is taken off C here. What the sensors see of the prediction's doubt is H P Hᵀ.",
     ),
     "mean times mean": (
         lambda y, H, P: estimate(y, H, P, lambda y: np.outer(y.mean(axis=0), y.mean(axis=0))),
@@ -105,7 +105,7 @@ WRONG["matrix_R"] = {
     ),
     "with a floor": (
         lambda y, H, P: np.maximum(estimate(y, H, P), 0.01),
-        "You put a floor under R̂. The text asks for R̂ without one; and a floor belongs under variances only, not under every entry.",
+        "No entry of your R̂ is below a floor. The text asks for R̂ without one; and a floor belongs under variances only, not under every entry.",
     ),
     "made positive": (
         lambda y, H, P: abs(estimate(y, H, P)),
@@ -154,11 +154,11 @@ WRONG["weigh"] = {
     ),
     "logarithms divided": (
         lambda logs, likelihoods: (logs + likelihoods) / np.sum(logs + likelihoods),
-        "You divided the logarithms by their sum. Dividing weights is *subtracting* a logarithm from each.",
+        "Those are the logarithms divided by their sum. Dividing weights is *subtracting* a logarithm from each.",
     ),
     "old weights forgotten": (
         lambda logs, likelihoods: settled(likelihoods),
-        "You weighed this reading alone. All readings before it are in log_weights: add them.",
+        "Those are the weights of this reading alone. All readings before it are in log_weights: add them.",
     ),
     "likelihood forgotten": (
         lambda logs, likelihoods: settled(logs),
@@ -237,8 +237,7 @@ WRONG["mixture_cov"] = {
     ),
     "spread forgotten": (
         lambda p, means, covs: np.tensordot(p, covs, 1),
-        "You averaged the covariances. When the filters disagree, the joint belief is wider than any of them: add "
-        "p y yᵀ, y being how far each mean is from the joint one.",
+        "That is the weighted mean of the covariances alone. When the filters disagree, the joint belief is wider: add p y yᵀ, y being how far each mean is from the joint one.",
     ),
     "spread only": (
         lambda p, means, covs: mixed(p, means, 0 * covs),
@@ -254,8 +253,7 @@ WRONG["mixture_cov"] = {
     ),
     "fused": (
         lambda p, means, covs: np.linalg.inv(np.sum(np.linalg.inv(covs), axis=0)),
-        "You fused them as separate opinions. They have seen the same readings, and only one of them is right: it "
-        "is a mixture, not a fusion.",
+        "That is what fusing them as separate opinions gives. They have seen the same readings, and only one of them is right: it is a mixture, not a fusion.",
     ),
     "not weighted": (
         lambda p, means, covs: mixed(p, means, covs, weights=np.ones(len(p))),

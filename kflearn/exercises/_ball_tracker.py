@@ -32,11 +32,11 @@ WRONG["coast"] = {
     ),
     "Q carried on": (
         lambda x, P, F, push, Q: (F @ x + push, F @ (P + Q) @ F.T),
-        "The state is right. You added Q before F: Q is what happens *in* this step, so it is added after P has been moved, F P Fᵀ + Q.",
+        "The state is right. Your P is F (P + Q) Fᵀ. Q is what happens *in* this step, so it is added after P has been moved, F P Fᵀ + Q.",
     ),
     "Q forgotten": (
         lambda x, P, F, push, Q: (F @ x + push, F @ P @ F.T),
-        "The state is right. In P you forgot Q: F alone claims that nothing unforeseen can happen behind the wall.",
+        "The state is right. P lacks Q: F alone claims that nothing unforeseen can happen behind the wall.",
     ),
     "gravity forgotten": (
         lambda x, P, F, push, Q: (F @ x, F @ P @ F.T + Q),
@@ -60,7 +60,7 @@ WRONG["coast"] = {
     ),
     "pushed before": (
         lambda x, P, F, push, Q: (F @ (x + push), F @ P @ F.T + Q),
-        "P is right. You pushed before you moved, so the push is carried through F a second time: F x + push.",
+        "P is right. Your state is F (x + push), with the push carried through F. It is F x + push.",
     ),
     "push subtracted": (
         lambda x, P, F, push, Q: (F @ x - push, F @ P @ F.T + Q),
@@ -119,7 +119,7 @@ WRONG["first_velocity"] = {
     ),
     "R forgotten": (
         lambda p, s, R, y: s / (p + s) * y,
-        "You forgot R: S = H P Hᵀ + R.",
+        "That is right for R = 0: S = H P Hᵀ + R.",
     ),
     "all of it": (
         lambda p, s, R, y: y,
@@ -139,7 +139,7 @@ WRONG["first_velocity"] = {
     ),
     "own share": (
         lambda p, s, R, y: s / (s + R) * y,
-        "You left p, the variance of the place, out of S. It keeps the velocity's gain small.",
+        "That is right for p = 0. The variance of the place belongs in S: it keeps the velocity's gain small.",
     ),
     "place alone": (
         lambda p, s, R, y: p / (p + R) * y,

@@ -64,11 +64,11 @@ WRONG = {
         ),
         "arguments swapped": (
             lambda east, north: math.atan2(east, north),
-            "`arctan2` takes north first. You have measured from north, clockwise, as a compass does.",
+            "That bearing counts from north, clockwise, as a compass does. `arctan2` takes north first.",
         ),
         "arguments swapped, from 0": (
             lambda east, north: math.atan2(east, north) % TURN,
-            "`arctan2` takes north first. You have measured from north, clockwise, as a compass does.",
+            "That bearing counts from north, clockwise, as a compass does. `arctan2` takes north first.",
         ),
         "no signs at all": (
             lambda east, north: math.atan2(abs(north), abs(east)),
@@ -100,7 +100,7 @@ WRONG = {
         ),
         "a turn added to all": (
             lambda east, north: math.atan2(north, east) + TURN,
-            "You added a full circle to all of them: those in the north are now above 2π. The remainder, `% (2 * np.pi)`, adds it only where needed.",
+            "All your bearings are a full circle larger than those of `arctan2`: in the north they are above 2π. The remainder, `% (2 * np.pi)`, adds it only where needed.",
         ),
         "no turn in quadrant 4": (
             lambda east, north: math.atan(north / east) if east > 0 else math.atan(north / east) + math.pi,
@@ -112,11 +112,11 @@ WRONG = {
         ),
         "no brackets": (
             lambda east, north: math.atan2(north, east) % 2 * math.pi,
-            "`%` and `*` are worked out from left to right, so you took the remainder by 2. Put brackets round `(2 * np.pi)`.",
+            "That is the remainder by 2, times π: `%` and `*` are worked out from left to right. Put brackets round `(2 * np.pi)`.",
         ),
         "from north, anticlockwise": (
             lambda east, north: math.atan2(-east, north) % TURN,
-            "Every bearing is a quarter of a turn too small: you measured from north. The bearing counts from east: 0 is east, π/2 is north.",
+            "Every bearing is a quarter of a turn too small, as if it counted from north. It counts from east: 0 is east, π/2 is north.",
         ),
         "a quarter turn too much": (
             lambda east, north: (math.atan2(north, east) + math.pi / 2) % TURN,
@@ -150,16 +150,16 @@ WRONG = {
         ),
         "squared before": (
             lambda sd: math.radians(sd**2),
-            "You squared the degrees and converted once. The factor π/180 must be squared too.",
+            "That is sd² · π/180. The factor π/180 must be squared too.",
         ),
         "degrees": (lambda sd: sd, "That is σ, in degrees: neither a variance nor radians."),
         "backwards": (
             lambda sd: math.degrees(sd) ** 2,
-            "You multiplied by 180/π: `np.degrees` turns radians into degrees. The other way.",
+            "That is (sd · 180/π)². From degrees to radians it is the other way, sd · π/180; `np.degrees` turns radians into degrees.",
         ),
         "root": (
             lambda sd: math.sqrt(math.radians(sd)),
-            "You took the root; from σ to the variance one squares.",
+            "That is the root of σ in radians; from σ to the variance one squares.",
         ),
         "180 not squared": (
             lambda sd: (sd * math.pi) ** 2 / 180,
@@ -171,15 +171,15 @@ WRONG = {
         ),
         "180 squared, π not": (
             lambda sd: sd**2 * math.pi / 180**2,
-            "`**` is worked out before `*` and `/`, so you squared 180 and not π. Square the whole of sd·π/180.",
+            "That is sd² · π/180², with π not squared: `**` is worked out before `*` and `/`. Square the whole of sd·π/180.",
         ),
         "half": (
             lambda sd: math.radians(sd) ** 2 / 2,
-            "You halved it. R is the square of the standard deviation, in rad².",
+            "That is half of the right number. R is the square of the standard deviation, in rad².",
         ),
         "of one turn": (
             lambda sd: (sd * 2 * math.pi) ** 2,
-            "You multiplied by 2π. A whole turn, 2π, is 360°: one degree is 2π/360.",
+            "That is (sd · 2π)². A whole turn, 2π, is 360°: one degree is 2π/360.",
         ),
         "even spread": (
             lambda sd: math.radians(sd) ** 2 / 12,
@@ -189,10 +189,13 @@ WRONG = {
             lambda sd: (sd * math.pi / 360) ** 2,
             "π radians are 180°, not 360°.",
         ),
-        "twice σ": (lambda sd: 2 * math.radians(sd), "You doubled the standard deviation. The variance is its square."),
+        "twice σ": (
+            lambda sd: 2 * math.radians(sd),
+            "That is twice the standard deviation in radians. The variance is its square.",
+        ),
         "converted twice": (
             lambda sd: math.radians(math.radians(sd) ** 2),
-            "You converted twice: after σ is in radians, its square is in rad² already.",
+            "That is (sd · π/180)² · π/180: once σ is in radians, its square is in rad² already.",
         ),
         "the notebook's number": (
             lambda sd: math.radians(0.1) ** 2,
@@ -200,7 +203,7 @@ WRONG = {
         ),
         "2σ": (
             lambda sd: (2 * math.radians(sd)) ** 2,
-            "You doubled σ before squaring. `sd` is one standard deviation, and 180° are π radians, not 2π.",
+            "That is four times the right number, (2 sd · π/180)². `sd` is one standard deviation, and 180° are π radians, not 2π.",
         ),
     },
 }

@@ -55,8 +55,7 @@ FIRST_COVARIANCE = {
     ),
     "only the position": (
         np.diag([4 * 0.25 / 4.25, 1.0]),
-        "You corrected the position as if there were no bias. H = [1, 1]: the reading holds the bias too, so S = "
-        "5.25, and the two become correlated.",
+        "Here the position is corrected as if there were no bias. H = [1, 1]: the reading holds the bias too, so S = 5.25, and the two become correlated.",
     ),
     "nothing": (
         np.diag([4.0, 1.0]),
@@ -70,7 +69,7 @@ FIRST_COVARIANCE = {
     ),
     "both rows swapped": (
         first(0.0, 1 / 5.25),
-        "You zeroed the row of the position. The bias, the second state, is the one that is considered.",
+        "Here the position keeps its variance, 4, and the bias is learnt. The bias, the second state, is the one that is considered: its row of K is zero.",
     ),
     "bias not in S, P12": (
         -4 / 4.25,
@@ -78,8 +77,7 @@ FIRST_COVARIANCE = {
     ),
     "K times P": (
         -16 / 5.25,
-        "You multiplied K by the variance of the position; what comes into the estimate is the bias, with "
-        "variance 1. And hand in the whole matrix P.",
+        "−3.05 is −K₁ times the variance of the position, 4; what comes into the estimate is the bias, with variance 1. And hand in the whole matrix P.",
     ),
     "gain of the bias": (
         -1 / 5.25,

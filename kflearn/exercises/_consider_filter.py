@@ -71,9 +71,9 @@ WRONG = {}
 WRONG["honest_average"] = {
     "inflated": (
         lambda N, R, B: math.sqrt((R + B) / N),
-        "You divided the bias by N as well. That is the inflated filter: it takes N readings for N different biases.",
+        "That is √((R + B)/N), with the bias divided by N as well. It is the inflated filter: it takes N readings for N different biases.",
     ),
-    "ignored": (lambda N, R, B: math.sqrt(R / N), "You left the bias out: that is the naive filter's claim."),
+    "ignored": (lambda N, R, B: math.sqrt(R / N), "That is √(R/N), the naive filter's claim, without the bias."),
     "variance": (lambda N, R, B: R / N + B, "That is the variance; the standard deviation is its root."),
     "standard deviations added": (
         lambda N, R, B: math.sqrt(R / N) + math.sqrt(B),
@@ -89,12 +89,11 @@ WRONG["honest_average"] = {
     ),
     "all over N": (
         lambda N, R, B: math.sqrt(R + B) / N,
-        "You divided a standard deviation by N, and the bias with it. The noise's variance falls as R / N; the "
-        "bias does not fall.",
+        "That is √(R + B)/N, with the bias divided by N as well. The noise's variance falls as R / N; the bias does not fall.",
     ),
     "bias falls faster": (
         lambda N, R, B: math.sqrt(R / N + B / N**2),
-        "You let the bias fall with N. All N readings share one bias: its mean is the bias itself.",
+        "Here the bias falls with N. All N readings share one bias: its mean is the bias itself.",
     ),
     "noise over N squared": (
         lambda N, R, B: math.sqrt(R / N**2 + B),
@@ -125,7 +124,7 @@ WRONG["honest_average"] = {
     ),
     "mixed": (
         lambda N, R, B: math.sqrt(R / N) + B,
-        "You added a standard deviation and a variance. Add the variances R / N and B, then take the root.",
+        "A standard deviation and a variance are added here. Add the variances R / N and B, then take the root over the whole sum.",
     ),
 }
 
@@ -156,7 +155,7 @@ WRONG["late_row"] = {
     ),
     "always the third": (
         correct_always_third,
-        "You set the row of the same state to zero in all trials. The argument `considered` says which state it is.",
+        "The same state is considered in all trials. The argument `considered` says which state it is.",
     ),
     "P left": (
         correct_with(lambda K, full, P, H, R, c: P),
@@ -228,7 +227,7 @@ WRONG["economical"] = {
     ),
     "Q twice": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + 2 * Q, fading * F @ C, fading**2 * B + q),
-        "C and B are right. In P you added Q twice.",
+        "C and B are right. Your P is F P Fᵀ + 2Q: Q is added once.",
     ),
     "C in P": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q + C @ C.T, fading * F @ C, fading**2 * B + q),
@@ -264,7 +263,6 @@ WRONG["economical"] = {
     ),
     "divided": (
         lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, F @ C / fading, fading**2 * B + q),
-        "You divided C by `fading`. The bias becomes smaller with each step, and its covariance with the states "
-        "too: multiply.",
+        "Your C is F C/fading. The bias becomes smaller with each step, and its covariance with the states too: multiply.",
     ),
 }

@@ -21,15 +21,15 @@ WRONG = {
         ),
         "cosine": (
             lambda s, turn, r: fused(s, np.cos(np.radians(turn)), r),
-            "You took the cosine. A needle that is not turned at all shows nothing of its length across the line: H is the sine.",
+            "That is right for H = cos(turn). A needle that is not turned at all shows nothing of its length across the line: H is the sine.",
         ),
         "tangent": (
             lambda s, turn, r: fused(s, np.tan(np.radians(turn)), r),
-            "You took the tangent of the turn; the length σ along the needle shows σ·sin(turn) across the new line.",
+            "That is right for H = tan(turn); the length σ along the needle shows σ·sin(turn) across the new line.",
         ),
         "no turn": (
             lambda s, turn, r: fused(s, 1, r),
-            "You fused as if the reading saw the needle at full length: H is the sine of the turn, not 1.",
+            "That is right for H = 1, a reading along the needle at its full length: H is the sine of the turn.",
         ),
         "variance": (
             lambda s, turn, r: fused(s, np.sin(np.radians(turn)), r) ** 2,
@@ -49,7 +49,7 @@ WRONG = {
         ),
         "standard deviations for variances": (
             lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) + r),
-            "You added standard deviations. Variances add: σ² sin² + across², and then the root.",
+            "Below stands the sum of two standard deviations, σ·sin + across. Variances add: σ² sin² + across², and then the root.",
         ),
         "H not squared": (
             lambda s, turn, r: fused(s, np.sqrt(np.sin(np.radians(turn))), r),
@@ -65,15 +65,15 @@ WRONG = {
         ),
         "never squared": (
             lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) ** 2 + r),
-            "You put `sigma` for P and `across` for R, and took no root at the end. P and R are variances: square both, and take the root last.",
+            "That is P after the reading with `sigma` for P and `across` for R. P and R are variances: square both, and take the root last.",
         ),
         "1 − K, rooted": (
             lambda s, turn, r: np.sqrt(abs(one_minus_K(s, turn, r))),
-            "P shrinks by 1 − K·H. You left the H out: the reading does not measure the place along the needle one to one.",
+            "That is √((1 − K)·P). P shrinks by 1 − K·H: the reading does not measure the place along the needle one to one.",
         ),
         "1 − K, not a number": (
             lambda s, turn, r: np.sqrt(max(one_minus_K(s, turn, r), 0) or np.nan),
-            "P shrinks by 1 − K·H. You left the H out, so that P becomes negative, and the root of it is not a number.",
+            "That is √((1 − K)·P), and where K is above 1 not a number. P shrinks by 1 − K·H.",
         ),
         "1 − K, as a variance": (
             lambda s, turn, r: one_minus_K(s, turn, r),
@@ -101,11 +101,11 @@ WRONG = {
         ),
         "angle for its sine": (
             lambda s, turn, r: fused(s, np.radians(turn), r),
-            "You took the angle itself for its sine. That is good for small turns only: `np.sin(np.radians(turn))`.",
+            "That is right for H = turn in radians, which is near its sine for small turns only: `np.sin(np.radians(turn))`.",
         ),
         "degrees for H": (
             lambda s, turn, r: fused(s, turn, r),
-            "You took the turn itself, in degrees, for H. H is its sine.",
+            "That is right for H = turn, in degrees. H is its sine.",
         ),
         "converted backwards": (
             lambda s, turn, r: fused(s, np.sin(np.degrees(turn)), r),
@@ -121,17 +121,17 @@ WRONG = {
         ),
         "σ for a variance": (
             lambda s, turn, r: fused(np.sqrt(s), np.sin(np.radians(turn)), r),
-            "You took `sigma` for a variance. P before the reading is sigma².",
+            "That is right for P = sigma. P before the reading is sigma².",
         ),
         "both taken for variances": (
             lambda s, turn, r: np.sqrt(fused(np.sqrt(s), np.sin(np.radians(turn)), np.sqrt(r)) ** 2),
-            "You took `sigma` and `across` for variances; both are standard deviations, so square them.",
+            "That is right for P = sigma and R = across. Both are standard deviations, so square them.",
         ),
         "1 − K": (
             lambda s, turn, r: (
                 s * (1 - s**2 * np.sin(np.radians(turn)) / (s**2 * np.sin(np.radians(turn)) ** 2 + r**2))
             ),
-            "You multiplied σ by 1 − K. The variance shrinks by 1 − K·H; and σ by its root.",
+            "That is σ·(1 − K). The variance shrinks by 1 − K·H; and σ by its root.",
         ),
         "1 − KH": (
             lambda s, turn, r: s * r**2 / (s**2 * np.sin(np.radians(turn)) ** 2 + r**2),

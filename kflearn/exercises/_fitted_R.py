@@ -63,11 +63,11 @@ WRONG = {
     ),
     "Q as σ": (
         lambda z, Q: best(z, Q**2),
-        "Q is a variance already; you squared it.",
+        "That is about the most probable R for Q². Q is a variance already.",
     ),
     "root of Q": (
         lambda z, Q: best(z, np.sqrt(Q)),
-        "You took the root of Q. Q is the variance of one step of the walk, and it is added to P as it is.",
+        "That is about the most probable R for √Q. Q is the variance of one step of the walk, and it is added to P as it is.",
     ),
     "Q = 1": (
         lambda z, Q: best(z, 1.0),
@@ -75,15 +75,15 @@ WRONG = {
     ),
     "Q and R exchanged": (
         lambda z, Q: best(z, Q, R=np.full_like(GRID, Q), walk=GRID),
-        "You gave Q and R to `random_walk` in the wrong order: its first argument is Q.",
+        "That is about what comes out if `random_walk` gets Q and R in the wrong order: its first argument is Q.",
     ),
     "gaps left out": (
         lambda z, Q: best(z[~np.isnan(z)], Q),
-        "You removed the gaps, so that the readings on either side became neighbours. Leave NaN in: the filter then predicts twice.",
+        "That is about what comes out without the gaps, with the readings on either side as neighbours. Leave NaN in: the filter then predicts twice.",
     ),
     "Q fitted too": (
         lambda z, Q: fit(random_walk, z, {"Q": 1.0, "R": 1.0}).parameters["R"],
-        "You fitted Q as well. It is known here: put it into `build`.",
+        "That is about what comes out if Q is fitted as well. It is known here: put it into `build`.",
     ),
 }
 
@@ -130,4 +130,10 @@ def of_all(results, rights):
             "Your R is close to 0 in every trial: the search runs to the end of what it tries. Is y²/S in the sum? With "
             "log 2πS alone a smaller R always looks better. Or is the sign such that the worst R is found?"
         )
-    return None
+    if not np.isfinite(results).all():
+        return None
+    low, high = np.min(results / rights), np.max(results / rights)
+    return (
+        f"Your R is {low:.2g} to {high:.2g} times the most probable one in the trials. Print the log-likelihood at yours and at its neighbours, for "
+        "readings of your own: where is it largest?"
+    )

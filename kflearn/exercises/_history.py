@@ -103,7 +103,7 @@ WRONG = {
         ),
         "powers of K": (
             lambda K, n: K ** np.arange(n),
-            "You took powers of K. Each new reading leaves the part 1 − K of what was there.",
+            "Those are powers of K. Each new reading leaves the part 1 − K of what was there.",
         ),
         "K for all": (
             lambda K, n: with_last(np.full(n, K), 1 - K),

@@ -36,27 +36,27 @@ WRONG = {
         ),
         "straight line": (
             lambda e, v, t0, t: e * t / t0,
-            "You took a·t alone. That fits the error at t₀, but not its velocity: for that you need b·t³ too.",
+            "That is e·t/t₀, a·t alone. It fits the error at t₀, but not its velocity: for that you need b·t³ too.",
         ),
         "cubic alone": (
             lambda e, v, t0, t: e * (t / t0) ** 3,
-            "You took b·t³ alone. That fits the error at t₀, but not its velocity: for that you need a·t too.",
+            "That is e·(t/t₀)³, b·t³ alone. It fits the error at t₀, but not its velocity: for that you need a·t too.",
         ),
         "velocity forgotten": (
             lambda e, v, t0, t: powers(e, 0, t0, t),
-            "You took the error's velocity for zero; it is v, and with v = −e/t₀ the whole error would be a·t.",
+            "That is right for v = 0. The error's velocity is v; with v = −e/t₀, for example, the whole error would be a·t.",
         ),
         "velocity taken for a": (
             lambda e, v, t0, t: -v * t + (e + v * t0) / t0**3 * t**3,
-            "You took −v for a. But −v is the slope at t₀, where the cubic has a slope as well: −v = a + 3b·t₀².",
+            "Here a is −v. But −v is the slope at t₀, where the cubic has a slope as well: −v = a + 3b·t₀².",
         ),
         "square in place of cube": (
             lambda e, v, t0, t: powers(e, v, t0, t, 1, 2),
-            "You took a·t + b·t². The powers are 1 and N, and N is 3.",
+            "That is a·t + b·t², fitted to e and v. The powers are 1 and N, and N is 3.",
         ),
         "constant in place of line": (
             lambda e, v, t0, t: powers(e, v, t0, t, 0, 3),
-            "You took a + b·t³. The powers are 1 and 3; a constant would not vanish at the impact.",
+            "That is a + b·t³, fitted to e and v. The powers are 1 and 3; a constant would not vanish at the impact.",
         ),
         "where it would hit": (
             lambda e, v, t0, t: e + v * t0,
@@ -69,23 +69,23 @@ WRONG = {
         "nothing left": (lambda e, v, t0, t: 0.0, "Zero is right only at t = 0, the impact."),
         "coasting from here": (
             lambda e, v, t0, t: e + v * t,
-            "You let the error coast for t seconds. t is the time still to go; and the error does not coast, both are steered.",
+            "That is e + v·t, an error that coasts for t seconds. t is the time still to go; and the error does not coast, both are steered.",
         ),
         "coasting, scaled": (
             lambda e, v, t0, t: (e + v * (t0 - t)) * t / t0,
-            "You let the error coast and scaled it by t/t₀. Neither part is right alone: fit a·t + b·t³ to e and to v at t₀.",
+            "That is the coasting error times t/t₀. Neither part is right alone: fit a·t + b·t³ to e and to v at t₀.",
         ),
         "line plus coasting": (
             lambda e, v, t0, t: e * t / t0 + v * (t0 - t),
-            "You added the coasting of v to a straight line. Fit a·t + b·t³: its value at t₀ is e, its slope against t is −v.",
+            "That is e·t/t₀ + v·(t₀ − t), a straight line and the coasting of v. Fit a·t + b·t³: its value at t₀ is e, its slope against t is −v.",
         ),
         "e and v as coefficients": (
             lambda e, v, t0, t: e * t + v * t**3,
-            "You took e and v themselves for a and b. They are the error and its velocity at t₀: two equations for a and b.",
+            "That is e·t + v·t³. e and v are not a and b themselves, but the error and its velocity at t₀: two equations for a and b.",
         ),
         "each by itself": (
             lambda e, v, t0, t: e * t / t0 - v * t**3 / (3 * t0**2),
-            "You fixed a by e alone and b by v alone. But the error at t₀ is a·t₀ + b·t₀³ and its velocity −(a + 3b·t₀²): each of them holds both. Solve the two together.",
+            "Here a comes of e alone, e/t₀, and b of v alone. But the error at t₀ is a·t₀ + b·t₀³ and its velocity −(a + 3b·t₀²): each of them holds both. Solve the two together.",
         ),
         "time gone in both": (
             lambda e, v, t0, t: powers(e, v, t0, t0 - t),
@@ -113,15 +113,15 @@ WRONG = {
         ),
         "fourth power": (
             lambda e, v, t0, t: powers(e, v, t0, t, 1, 4),
-            "You took a·t + b·t⁴. The powers are 1 and N, and N is 3.",
+            "That is a·t + b·t⁴, fitted to e and v. The powers are 1 and N, and N is 3.",
         ),
         "square and cube": (
             lambda e, v, t0, t: powers(e, v, t0, t, 2, 3),
-            "You took a·t² + b·t³. The powers are 1 and N, and N is 3.",
+            "That is a·t² + b·t³, fitted to e and v. The powers are 1 and N, and N is 3.",
         ),
         "time gone": (
             lambda e, v, t0, t: e * (1 - t / t0),
-            "You took t for the time that has passed. It is the time to go: at t = t₀ the whole error is still there.",
+            "That is right if t were the time that has passed. It is the time to go: at t = t₀ the whole error is still there.",
         ),
     },
     "memory": {
@@ -131,7 +131,7 @@ WRONG = {
         ),
         "rate and time swapped": (
             lambda lasts, sd, dt: (np.exp(-lasts * dt), sd**2 * (1 - np.exp(-2 * lasts * dt))),
-            "You used λ = lasts. A rate is one over a time: the longer a manoeuvre lasts, the *smaller* λ.",
+            "That is right for λ = lasts. A rate is one over a time: the longer a manoeuvre lasts, the *smaller* λ.",
         ),
         "what fades": (
             lambda lasts, sd, dt: (1 - np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts))),
@@ -219,7 +219,7 @@ WRONG = {
         ),
         "half-life": (
             lambda lasts, sd, dt: (0.5 ** (dt / lasts), sd**2 * (1 - 0.25 ** (dt / lasts))),
-            "You took `lasts` for a half-life. Singer's rate is λ = 1/lasts, and what survives a step is e^(−λ·dt).",
+            "That is right if `lasts` were a half-life. Singer's rate is λ = 1/lasts, and what survives a step is e^(−λ·dt).",
         ),
         "noise times dt": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 * (1 - np.exp(-2 * dt / lasts)) * dt),
@@ -231,7 +231,7 @@ WRONG = {
         ),
         "divided by 1 − part²": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), sd**2 / (1 - np.exp(-2 * dt / lasts))),
-            "The part is right. You divided: that is the variance which noise of sd² would lead to. Asked is the noise which leads to sd².",
+            "The part is right. sd²/(1 − part²) is the variance which noise of sd² would lead to. Asked is the noise which leads to sd².",
         ),
         "density": (
             lambda lasts, sd, dt: (np.exp(-dt / lasts), 2 * sd**2 / lasts),

@@ -6,7 +6,7 @@ LOG = np.log(2 * np.pi * 5)
 
 WRONG = {
     "one_reading": {
-        "the ½ forgotten": (-(LOG + 1.8), "You left out the ½ before the bracket."),
+        "the ½ forgotten": (-(LOG + 1.8), "That is twice the right number: the ½ before the bracket is missing."),
         "plus": (
             0.5 * (LOG + 1.8),
             "The sign: both parts of the bracket are positive here, and minus a half of it is asked for.",
@@ -23,9 +23,12 @@ WRONG = {
         "y over σ": (-0.5 * (LOG + 3 / 5**0.5), "The quotient y/√S is to be squared: 3²/5."),
         "√S for S in both": (
             -0.5 * (np.log(2 * np.pi * 5**0.5) + 9 / 5**0.5),
-            "You took √S for S in both places. S is a variance, 5 V².",
+            "That is right for S = √5, in both places. S is a variance, 5 V².",
         ),
-        "S squared in both": (-0.5 * (np.log(2 * np.pi * 25) + 9 / 25), "You squared the 5. S is a variance already."),
+        "S squared in both": (
+            -0.5 * (np.log(2 * np.pi * 25) + 9 / 25),
+            "That is right for S = 25. S is 5 V², a variance already.",
+        ),
         "2π forgotten": (-0.5 * (np.log(5) + 1.8), "2π is missing in the logarithm."),
         "π for 2π": (-0.5 * (np.log(np.pi * 5) + 1.8), "It is 2π in the logarithm, not π."),
         "no NIS": (-0.5 * LOG, "That is for a reading exactly as expected. y²/S is missing."),
@@ -37,7 +40,7 @@ WRONG = {
         ),
         "log10 of the density": (
             -0.5 * (LOG + 1.8) / np.log(10),
-            "You took the logarithm to the base of ten. The natural one is meant, `np.log`.",
+            "That comes of a logarithm to the base of ten. The natural one is meant, `np.log`.",
         ),
         "sign of the logarithm": (
             0.5 * LOG - 0.9,
@@ -45,11 +48,11 @@ WRONG = {
         ),
         "log10": (
             -0.5 * (np.log10(2 * np.pi * 5) + 1.8),
-            "You took the logarithm to the base of ten. The natural one is meant, `np.log`.",
+            "That comes of a logarithm to the base of ten. The natural one is meant, `np.log`.",
         ),
         "S and y exchanged": (
             -0.5 * (np.log(2 * np.pi * 3) + 25 / 3),
-            "You exchanged the two numbers: S, the variance, is 5 V², and y, the innovation, is 3 V.",
+            "That is right for S = 3 V² and y = 5 V. S, the variance, is 5 V², and y, the innovation, is 3 V.",
         ),
     },
     "half_missing": {
@@ -160,7 +163,10 @@ WRONG["log_likelihood"] = {
         of_seen(lambda y, S: 0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S)),
         "The sign: that is minus the log-likelihood, as a search for a minimum wants it.",
     ),
-    "no half": (of_seen(lambda y, S: -np.sum(np.log(2 * np.pi * S) + y**2 / S)), "You left out the ½."),
+    "no half": (
+        of_seen(lambda y, S: -np.sum(np.log(2 * np.pi * S) + y**2 / S)),
+        "That is twice the right number: the ½ is missing.",
+    ),
     "half before the NIS only": (
         of_seen(lambda y, S: -np.sum(np.log(2 * np.pi * S) + 0.5 * y**2 / S)),
         "The ½ belongs to both parts, also to the logarithm. That is the fault of exercise 3.",
@@ -180,7 +186,7 @@ WRONG["log_likelihood"] = {
     ),
     "σ for S": (
         of_seen(lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S**2) + y**2 / S**2)),
-        "S is a variance already; you squared it, as one would a σ.",
+        "Your S is squared, as one would a σ. S is a variance already.",
     ),
     "root in the NIS": (
         of_seen(lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / np.sqrt(S))),

@@ -88,7 +88,7 @@ WRONG = {
     ),
     "two axes": (
         lambda e: [np.sqrt(np.mean(np.sum(e[..., k : k + 2] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)],
-        "You took two axes of three: `k : k + 2` ends before k + 2.",
+        "Two axes of three are in it: `k : k + 2` ends before k + 2.",
     ),
     "root of the mean distance": (
         lambda e: [np.sqrt(np.sqrt(s).mean(axis=0)) for s in three(e)],

@@ -70,10 +70,10 @@ SLIPS["window_needed"] = {
         84.5,
         "The 2 stands on the wrong side: the mean of squares scatters by S √(2/N), not by S/√(2N).",
     ),
-    "R alone, not squared": (20, "You took R = 1 for S, and did not square 0.1. S = 1 + 0.3, and N = 2 S²/0.1²."),
+    "R alone, not squared": (20, "20 is 2 · 1/0.1. S = 1 + 0.3, and N = 2 S²/0.1²."),
     "S² alone": (1.69, "That is S². From S √(2/N) = 0.1 follows N = 2 S²/0.1²."),
     "added as deviations": (
         lambda: 2 * (1 + 0.3**0.5) ** 4 / 0.01,
-        "You added roots. 1 and 0.3 are variances: S = 1 + 0.3.",
+        "That is right for S = (1 + √0.3)². 1 and 0.3 are variances: S = 1 + 0.3.",
     ),
 }  # fmt: skip

@@ -176,11 +176,11 @@ SLIPS["count_once"] = {
     ),
     "z/R off the mean": (
         lambda x, P, x_back, P_back, z, R: (met(x, P, x_back, P_back)[0] - z / R, 1 / (1 / P + 1 / P_back - 1 / R)),
-        "The variance is right. You took z/R off the mean; take it off the weighted sum, before you divide by the information.",
+        "The variance is right. z/R is taken off the mean here; take it off the weighted sum, before you divide by the information.",
     ),
     "z off the mean": (
         lambda x, P, x_back, P_back, z, R: (met(x, P, x_back, P_back)[0] - z, 1 / (1 / P + 1 / P_back - 1 / R)),
-        "The variance is right. You took z off the mean; take z/R off the weighted sum, before you divide by the information.",
+        "The variance is right. z is taken off the mean here; take z/R off the weighted sum, before you divide by the information.",
     ),
 }  # fmt: skip
 SLIPS["interval_of_R"] = {
@@ -198,7 +198,7 @@ SLIPS["interval_of_R"] = {
     ),
     "squared": (
         (0.09**2 / HIGH, 0.09**2 / LOW),
-        "You squared 0.09. It is a variance already, in m².",
+        "That is right for 0.09². 0.09 m² is a variance already.",
     ),
     "the factors": (
         (1 / HIGH, 1 / LOW),
@@ -214,9 +214,9 @@ SLIPS["interval_of_R"] = {
     ),
 }  # fmt: skip
 SLIPS["milliseconds_for_seconds"] = {
-    "the ride's q": (0.5 / 1000**3, "You began with 0.5, the q of the ride. Here q was 0.1 m²/s³."),
+    "the ride's q": (0.5 / 1000**3, "That is right for 0.5, the q of the ride. Here q was 0.1 m²/s³."),
     "the ride's q unchanged": (0.5, "0.5 is the q of the ride. Here q was 0.1 m²/s³; and all steps are 1000 times as long."),
-    "÷ 3000": (0.1 / 3000, "You divided by 3 times 1000. The time stands three times in m²/s³: divide by 1000 · 1000 · 1000."),
+    "÷ 3000": (0.1 / 3000, "That is 0.1 divided by 3 times 1000. The time stands three times in m²/s³: divide by 1000 · 1000 · 1000."),
 }  # fmt: skip
 SLIPS["variance_at_rest"] = {
     "mean square, n − 1": (
@@ -257,7 +257,7 @@ SLIPS["behind"] = {
     "all nights": (30, "30 s is what the clock gains in a hundred nights. The estimate follows it, at a distance that does not grow any more."),
     "two times (1 − K)": (
         lambda: 0.3 * (1 - 0.2207) ** 2 / 0.2207,
-        "You took the part 1 − K twice: after the night's reading it is 0.3(1 − K)/K.",
+        "That is 0.3(1 − K)²/K, with 1 − K twice: after the night's reading it is 0.3(1 − K)/K.",
     ),
     "half": (0.15, "That is half of one night. The estimate has not caught up with the nights before either."),
     "of 2 − K": (

@@ -21,6 +21,10 @@ def three(reach, centre=2 / 3, outer=1 / 6, middle=90):
 
 WRONG = {
     "three_points": {
+        "along x": (
+            0.0,
+            "That is the mean along the x-axis, or a mean of differences. The y-axis was asked for: 100 sin θ.",
+        ),
         "κ for the scale, in σ": (
             three(60),
             "The weights are right, with outer points at ±60°, that is at ±2σ. They sit at ±√3 σ, since the scale α²(n + κ) is 3.",

@@ -120,13 +120,13 @@ WRONG = {
     "start_sigma": {
         "about the mean": (
             lambda: np.std([-500, -300, -40]),
-            "`np.std` takes the mean off first. The errors count from zero: the root of the mean of their squares.",
+            "188 m is the scatter of the three errors about their mean, as `np.std` gives it. The errors count from zero: the root of the mean of their squares.",
         ),
     },
     "three_points": {
         "degrees": (
             lambda: 2 / 3 * 100 * np.sin(90) + 1 / 6 * 100 * (np.sin(90 + 52) + np.sin(90 - 52)),
-            "NumPy's sine wants radians: `np.sin(np.radians(90))`.",
+            "That is what comes out if NumPy's sine is given degrees. It wants radians: `np.sin(np.radians(90))`.",
         ),
         "the lesson's radar": (94.09, "That is the lesson's radar. Here the distance is exactly 100 m, and σ = 30°."),
     },
@@ -157,7 +157,7 @@ WRONG = {
             lambda dv, b, allowed: (-dv + np.sqrt(dv**2 + 2 * b * allowed)) / 2 * (b / 2),
             "`/ 2 * a` divides by 2 and then multiplies by a: write `/ (2 * a)`.",
         ),
-        "whole seconds": (whole_seconds, "You rounded up to whole seconds, but the time is no whole number. Solve the equation for t."),
+        "whole seconds": (whole_seconds, "Those are whole seconds, rounded up. The time is no whole number: solve the equation for t."),
     },
     "mended_fix": {
         "dx off twice": (twice, "Your x holds dx already, and you subtract dx[:2] from the fix once more: compare the fix with x + dx once."),
@@ -174,11 +174,11 @@ WRONG = {
     "honest_average": {
         "fused": (
             lambda N, R, B: np.sqrt(1 / (N / R + 1 / B)),
-            "You fused noise and bias like two readings. They are two errors of one average, so their variances add: R/N + B.",
+            "That is what fusing noise and bias gives, like two readings. They are two errors of one average, so their variances add: R/N + B.",
         ),
     },
     "window_needed": {
-        "0.3 squared": (238, "You squared the 0.3. HP⁻Hᵀ is a variance already: S = 1 + 0.3."),
+        "0.3 squared": (238, "238 is right for S = 1 + 0.3². HP⁻Hᵀ is a variance already: S = 1 + 0.3."),
         "of a σ": (85, "S/√(2N) is the scatter of a standard deviation. R̂ is a variance: S √(2/N)."),
     },
     "weigh": {
@@ -223,7 +223,7 @@ WRONG = {
     "clock_offset": {
         "wrong one, difference": (
             wrong_one,
-            "You shifted v in place of late. If `late` is late by d steps, `late[d:]` belongs to `v[:len(v) - d]`.",
+            "That is the best delay of v, with v shifted in place of late. If `late` is late by d steps, `late[d:]` belongs to `v[:len(v) - d]`.",
         ),
         "begins at one": (
             lambda v, late, dt: np.argmin([np.std(late[d:] - v[: len(v) - d]) for d in range(1, 11)]) * dt,

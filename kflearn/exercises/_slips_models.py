@@ -29,27 +29,27 @@ MORE = {
         ),
         "variances added": (
             math.sqrt(1800),
-            "You added the variances of the two, as for a sum of two errors. The blend takes their mean, and adds the squared distance of each mean from the middle.",
+            "That is √(30² + 30²), as for a sum of two errors. The blend takes the mean of the two variances, and adds the squared distance of each mean from the middle.",
         ),
         "spread not halved": (
             math.sqrt(900 + 3200),
-            "The variance of each, 900 m², is right. Your spread is 3200 m², twice too large: measure the distance of each mean from the middle, 40 m, and take the mean of the two squares.",
+            "That is √(900 + 3200). 900 m² is the variance of each, but 3200 m² is the sum of the two squared distances from the middle: take their mean.",
         ),
         "distance not squared": (
             math.sqrt(940),
-            "You added 900 m² and 40 m. The distance from the middle must be squared as well.",
+            "That is √(900 + 40). The distance from the middle must be squared as well.",
         ),
         "nothing squared": (
             math.sqrt(70),
-            "You added 30 m and 40 m and took the root. Square both first.",
+            "That is √(30 + 40). Square both first.",
         ),
         "all of it halved": (
             math.sqrt(1250),
-            "You halved once too often: the mean of the two variances is 900 m², the mean of the two squared distances 1600 m².",
+            "That is √(2500/2), half once too often: the mean of the two variances is 900 m², the mean of the two squared distances 1600 m².",
         ),
         "weights squared": (
             math.sqrt(900 + 400),
-            "The variance of each, 900 m², is right. Your spread is 400 m², as from 20 m: each mean is 40 m from the middle.",
+            "That is √(900 + 400). 900 m² is the variance of each, but 400 m² belongs to a distance of 20 m: each mean is 40 m from the middle.",
         ),
         "half of it": (
             15.0,
@@ -57,23 +57,23 @@ MORE = {
         ),
         "spread for one only": (
             math.sqrt(30**2 + 40**2 / 2),
-            "You counted the spread for one of the two Gaussians only, or halved it: each of the two means is 40 m from the middle.",
+            "That is √(900 + 800), with the spread of one of the two Gaussians only, or half of it: each of the two means is 40 m from the middle.",
         ),
         "everything added": (
             110.0,
-            "You added σ and the distance of the means. Variances and squared distances add; the root comes last.",
+            "110 m is 30 m + 80 m, σ and the distance of the means. Variances and squared distances add; the root comes last.",
         ),
         "both variances": (
             math.sqrt(2 * 30**2 + 40**2),
-            "You added both variances in full. The blend takes their weighted mean, half of each.",
+            "That is √(900 + 900 + 1600), with both variances in full. The blend takes their weighted mean, half of each.",
         ),
         "both variances, both spreads": (
             math.sqrt(2 * 30**2 + 2 * 40**2),
-            "You added everything for both models. Each counts with its weight, one half.",
+            "That is √(2 · 900 + 2 · 1600), everything for both models. Each counts with its weight, one half.",
         ),
         "half the variance": (
             math.sqrt(30**2 / 2 + 40**2),
-            "You halved the variance. The mean of two equal variances, half of each, is one of them: 900 m².",
+            "That is √(450 + 1600), with half of the variance. The mean of two equal variances, half of each, is one of them: 900 m².",
         ),
     },
     "transition": {
@@ -83,11 +83,11 @@ MORE = {
         ),
         "T = 2": (
             lambda stays, T: chances(stays, T, 2 / stays),
-            "You took 2 s for the time between readings. It is handed in as `T`.",
+            "That is right for readings every 2 s. The time between them is handed in as `T`.",
         ),
         "half-life": (
             lambda stays, T: chances(stays, T, 1 - 0.5 ** (T / stays)),
-            "You took `stays` for a half-life. It is the mean time in the mode: with the chance p to leave in each step that is 1/p steps.",
+            "That is right if `stays` were a half-life. It is the mean time in the mode: with the chance p to leave in each step that is 1/p steps.",
         ),
         "leave alone": (
             lambda stays, T: chances(stays, T, T / stays) - np.diag(1 - T / stays),
@@ -111,15 +111,15 @@ MORE = {
         ),
         "whole steps": (
             lambda stays, T: chances(stays, T, 1 / (stays / T + 1)),
-            "You counted one step more. A mode that lasts `stays / T` steps on average is left with the chance T / stays.",
+            "That is right for one step more, stays/T + 1. A mode that lasts `stays / T` steps on average is left with the chance T / stays.",
         ),
         "half": (
             lambda stays, T: chances(stays, T, T / stays / 2),
-            "You halved the chance to leave. It is T / stays, and the other M − 1 modes share it.",
+            "Your chance to leave is half of what it should be. It is T / stays, and the other M − 1 modes share it.",
         ),
         "the first for all": (
             lambda stays, T: chances(stays, T, T / stays[0] + 0 * stays),
-            "You took the first length for all rows. Each mode has its own: row i belongs to `stays[i]`.",
+            "All rows are right for the first length. Each mode has its own: row i belongs to `stays[i]`.",
         ),
     },
     "mended_start": {
@@ -133,7 +133,7 @@ MORE = {
         ),
         "T = 2": (
             lambda z, T: started(z, 2),
-            "You divided by 2. The time between the readings is handed in as `T`.",
+            "Your speeds are right for readings 2 s apart. The time between them is handed in as `T`.",
         ),
         "speed of one sample": (
             lambda z, T: started(z, T, z[:, 1] / T),
@@ -161,7 +161,7 @@ MORE = {
         ),
         "speed over two steps": (
             lambda z, T: started(z, 2 * T),
-            "You divided by 2·T. From the first to the second sample there is one step, T.",
+            "Your speeds are half of what they should be. From the first to the second sample there is one step, T.",
         ),
         "all first positions by T": (
             lambda z, T: (started(z, T)[1], z[:, 0]),

@@ -42,21 +42,21 @@ FIRST = {
     3: "α = 1: 3 is n + κ; take off n = 4.",
     1: "α = 1: the sign is turned round, κ = 3/α² − n.",
     0: "α = 1: with κ = 0 the declaration gives 4, and the program works with 3.",
-    -3: "α = 1: you took n = 6. The program has four states.",
+    -3: "α = 1: −3 would be right for n = 6. The program has four states.",
     7: "α = 1: n is taken off, not added.",
     8: "8 belongs to α = ½. The first number is for α = 1.",
 }
 SECOND = {
     8: "Right for α = ½.",
     -1: "α = ½: α² multiplies n + κ, so another κ is needed than for α = 1.",
-    2: "α = ½: you divided by α; the scale holds α², a quarter.",
+    2: "α = ½: 2 is 3/α − 4; the scale holds α², a quarter.",
     12: "α = ½: 12 is n + κ; take off n = 4.",
-    -4: "α = ½: you divided λ = −1 by α². It is n + κ, not κ alone, that α² multiplies.",
-    -0.25: "α = ½: you multiplied λ = −1 by α². Solve α²(4 + κ) = 3 for κ.",
-    -3.25: "α = ½: you shrank 3 by α²; it must be divided by α².",
-    -2.5: "α = ½: you multiplied 3 by α; it must be divided by α².",
-    44: "α = ½: you divided by α⁴; the declaration holds α².",
-    6: "α = ½: you took n = 6. The program has four states.",
+    -4: "α = ½: −4 is λ/α², with λ = −1. It is n + κ, not κ alone, that α² multiplies.",
+    -0.25: "α = ½: −0.25 is λα², with λ = −1. Solve α²(4 + κ) = 3 for κ.",
+    -3.25: "α = ½: −3.25 is 3α² − 4; 3 must be divided by α².",
+    -2.5: "α = ½: −2.5 is 3α − 4; 3 must be divided by α².",
+    44: "α = ½: 44 is 3/α⁴ − 4; the declaration holds α².",
+    6: "α = ½: 6 would be right for n = 6. The program has four states.",
     16: "α = ½: n is taken off 3/α², not added.",
     13: "α = ½: from 3/α² = 12 the number of states comes off, 4, not κ = −1.",
     11: "α = ½: from 3/α² = 12 the number of states comes off, 4.",
@@ -76,15 +76,15 @@ MORE = {
     "three_points": {
         "outer weights 1/s": (
             lambda: 100 * (2 / 3 + 2 / 3 * np.cos(np.radians(30) * 3**0.5)),
-            "The points are right. Your outer points weigh 1/scale each: they weigh 1/(2 scale), so that all weights sum to 1.",
+            "That is what outer points make which weigh 1/scale = 1/3 each. They weigh 1/(2 scale), so that all weights sum to 1.",
         ),
         "n = 2": (
             lambda: 100 * (1 / 2 + 2 / 8 * np.cos(np.radians(60))),
-            "You took n = 2. One number is uncertain, the angle: n = 1, and the scale is α²(n + κ) = 3.",
+            "62.5 m is what n = 2 makes, with a scale of 4. One number is uncertain, the angle: n = 1, and the scale is α²(n + κ) = 3.",
         ),
         "true mean, the half forgotten": (
             lambda: 100 * np.exp(-(np.radians(30) ** 2)),
-            "You took 100 e^(−σ²). The true mean has σ²/2 in the exponent; asked is the weighted sum of the three points.",
+            "That is 100 e^(−σ²). The true mean has σ²/2 in the exponent; asked is the weighted sum of the three points.",
         ),
         "second order": (
             lambda: 100 * (1 - np.radians(30) ** 2 / 2),
@@ -96,30 +96,28 @@ MORE = {
         ),
         "kappa over scale, one sigma": (
             lambda: (2 * 100 + 2 * image(90 + np.sqrt(3) * 30)) / 4,
-            "The points are right. Your weights are ½ and ¼: with a scale of 3 they are 1 − 1/3 and 1/(2 · 3).",
+            "That is what the right points make with the weights ½ and ¼. With a scale of 3 they are 1 − 1/3 and 1/(2 · 3).",
         ),
         "six": (
             lambda: 2 / 3 * 100 + 1 / 3 * image(90 + np.sqrt(6) * 30),
-            "Your outer points sit at ±√6 · 30°. The scale is α²(n + κ) = 1 · (1 + 2).",
+            "That is what the right weights make of outer points at ±√6 · 30°. The scale is α²(n + κ) = 1 · (1 + 2).",
         ),
         "along the arc": (90.0, "90° is the mean of the angle. Asked is the mean of the images, in metres."),
         "the root of κ": (
             lambda: 2 / 3 * 100 + 1 / 3 * image(90 + np.sqrt(2) * 30),
-            "Your outer points sit at ±√2 · 30°: you took the root of κ. The scale is α²(n + κ) = 3, so they sit at "
-            "±√3 · 30°.",
+            "That is what the right weights make of outer points at ±√2 · 30°, with the root of κ. The scale is α²(n + κ) = 3, so they sit at ±√3 · 30°.",
         ),
         "equal weights, one sigma": (
             lambda: (100 + 2 * image(120)) / 3,
-            "Two things: the outer points sit at ±√3 · 30°, not at ±30°; and the weights are not equal: 2/3 for the "
-            "centre, 1/6 for each of the others.",
+            "That is the plain mean of the images of 90°, 60° and 120°. The outer points sit at ±√3 · 30°; and the weights are 2/3 for the centre, 1/6 for each of the others.",
         ),
         "outer points alone": (
             lambda: image(90 + np.sqrt(3) * 30),
-            "That is the mean of the two outer points. The centre counts as well, with a weight of 2/3.",
+            "That is the image of an outer point, and the mean of both. The centre counts as well, with a weight of 2/3.",
         ),
         "a third each way": (
             lambda: 100 / 3 + image(90 + np.sqrt(3) * 30) / 3,
-            "The points are right. Your weights sum to 2/3: the centre has 2/3 by itself, the other two 1/6 each.",
+            "That is what the right points make with the weights 1/3, 1/6 and 1/6, which sum to 2/3: the centre has 2/3 by itself, the other two 1/6 each.",
         ),
         "how much it sinks": (
             lambda: 100 / 3 * (1 - np.sin(np.radians(90 + np.sqrt(3) * 30))),
@@ -142,15 +140,15 @@ MORE = {
         ),
         "n for the scale": (
             lambda mean, P, Q, scale: points(mean, P + Q, len(mean)),
-            "The covariance is right. You took n for the scale; use `scale`, which is handed in.",
+            "The covariance is right. It is multiplied by n; use `scale`, which is handed in.",
         ),
         "√scale in the covariance": (
             lambda mean, P, Q, scale: points(mean, P + Q, np.sqrt(scale)),
-            "The covariance is right. You took the root of the scale twice: the covariance is multiplied by the scale, or its root by √scale.",
+            "The covariance is right. It is multiplied by √scale: the covariance is multiplied by the scale, or its root by √scale.",
         ),
         "mean of both": (
             lambda mean, P, Q, scale: points(mean, (P + Q) / 2, scale),
-            "You took the mean of P and Q. The widened belief has their sum.",
+            "Those are the points of (P + Q)/2. The widened belief has the sum of P and Q, and the scale as it is.",
         ),
         "P, Q apart": (
             lambda mean, P, Q, scale: np.vstack([points(mean, P, scale), points(mean, Q, scale)[1:]]),
@@ -158,19 +156,19 @@ MORE = {
         ),
         "Q squared": (
             lambda mean, P, Q, scale: points(mean, P + Q @ Q, scale),
-            "You squared Q. Q is a covariance already: add it as it is.",
+            "Those are the points of P + Q Q. Q is a covariance already: add it as it is.",
         ),
         "fused": (
             lambda mean, P, Q, scale: points(mean, np.linalg.inv(np.linalg.inv(P) + np.linalg.inv(Q)), scale),
-            "You fused P and Q, which makes the belief narrower. A push with covariance Q makes it wider: P + Q.",
+            "Those are the points of P and Q fused, which is narrower than both. A push with covariance Q makes the belief wider: P + Q.",
         ),
         "Q twice": (
             lambda mean, P, Q, scale: points(mean, P + 2 * Q, scale),
-            "You added Q twice. The belief was widened once: its covariance is P + Q.",
+            "Those are the points of P + 2Q. The belief was widened once: its covariance is P + Q.",
         ),
         "Q on the points": (
             pushed,
-            "You moved the points of P by the diagonal of Q. Q is a covariance: add it to P first, then draw the points.",
+            "Those are the points of P, moved by the diagonal of Q. Q is a covariance: add it to P first, then draw the points.",
         ),
         "centre last": (
             lambda mean, P, Q, scale: np.roll(points(mean, P + Q, scale), -1, axis=0),
@@ -178,7 +176,7 @@ MORE = {
         ),
         "variances only": (
             lambda mean, P, Q, scale: points(mean, np.diag(np.diag(P + Q)), scale),
-            "You used the variances only. The other entries of P + Q belong to the belief too: take the root of all of it.",
+            "Those are the points of the variances alone. The other entries of P + Q belong to the belief too: take the root of all of it.",
         ),
         "root entry by entry": (
             lambda mean, P, Q, scale: np.vstack(
@@ -190,11 +188,11 @@ MORE = {
     "start_nees": {
         "six times the sum": (
             6 * 0.042,
-            "You multiplied the sum by 6. The six terms are added, and that is all: an honest start has 6 because each of its terms is 1.",
+            "That is six times the sum. The six terms are added, and that is all: an honest start has 6 because each of its terms is 1.",
         ),
         "six times the quotient": (
             6 * 2.0202 / 202.2,
-            "You divided one sum of variances by the other and multiplied by 6. Each component has its own unit and its own claim: divide each, then add all six.",
+            "That is six times the quotient of the two sums of variances. Each component has its own unit and its own claim: divide each, then add all six.",
         ),
         "one ratio": (
             0.01,
@@ -212,16 +210,15 @@ MORE = {
         "one of the first two": (0.032, "One ratio is missing: each entry stands twice on the diagonal."),
         "mean of three": (
             0.042 / 3,
-            "You divided the sum by 3. eᵀP₀⁻¹e adds the six ratios.",
+            "That is a third of the sum. eᵀP₀⁻¹e adds the six ratios.",
         ),
         "all a hundredth": (
             0.06,
-            "You took 1/100 for all six. For the accelerations the ratio is 0.0001/0.1, which is 1/1000.",
+            "0.06 is six times 1/100. For the accelerations the ratio is 0.0001/0.1, which is 1/1000.",
         ),
         "inverse of the claim": (
             2 * (0.01 + 1 + 10),
-            "You added the inverses of what P₀ claims, as if e² were 1 for all. Each is to be multiplied by its real "
-            "variance in Q.",
+            "That is the sum of the inverses of what P₀ claims, as if e² were 1 for all. Each is to be multiplied by its real variance in Q.",
         ),
         "one": (
             1.0,

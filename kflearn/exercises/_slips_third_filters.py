@@ -186,7 +186,7 @@ WRONG = {
         "H once in S": (one_H, "S = H·P·H + R: the H stands twice, and you have it once."),
     },
     "declared_kappa": {
-        "s − 1": ((2, 11), "You took 1 off. The program has n = 4 states, so take 4 off 3/α²."),
+        "s − 1": ((2, 11), "That would be right for n = 1, 3 − 1 and 12 − 1. The program has n = 4 states, so take 4 off 3/α²."),
     },
     "start_nees": {
         "added to 6": (

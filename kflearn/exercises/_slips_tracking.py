@@ -96,15 +96,15 @@ SLIPS["coast"] = {
 SLIPS["first_velocity"] = {
     "R squared": (
         lambda p, s, R, y: s * y / (p + s + R**2),
-        "You squared R. R is a variance already, like p and s.",
+        "That is right for R². R is a variance already, like p and s.",
     ),
     "roots": (
         lambda p, s, R, y: math.sqrt(s) * y / (math.sqrt(p) + math.sqrt(s) + math.sqrt(R)),
-        "You took roots. Variances add, not standard deviations: no root of p, s or R.",
+        "Roots of p, s or R are in it. Variances add, not standard deviations: take none.",
     ),
     "place and velocity squared": (
         lambda p, s, R, y: s**2 * y / (p**2 + s**2 + R**2),
-        "You squared the variances. p, s and R are variances already.",
+        "Squares of the variances are in it. p, s and R are variances already.",
     ),
     "R alone below": (
         lambda p, s, R, y: s * y / R,
@@ -122,11 +122,11 @@ SLIPS["first_velocity"] = {
 SLIPS["all_bias"] = {
     "6 % of the reading": (
         lambda: (1 / 0.94 - 1) * 450,
-        "You took the 6 % of what the sensor shows. They are of the true acceleration, 0.5 m/s².",
+        "That number comes of 6 % of what the sensor shows. They are of the true acceleration, 0.5 m/s².",
     ),
     "share as an acceleration": (
         lambda: 0.56 * 450,
-        "You added 0.5 and 6 %. The braking itself is no error: what does the filter subtract too much, in m/s²?",
+        "252 m is what 0.56 m/s² makes. The braking itself is no error: what does the filter subtract too much, in m/s²?",
     ),
     "the braking itself": (
         lambda: 0.5 * 450,
@@ -138,13 +138,13 @@ SLIPS["all_bias"] = {
     ),
     "6 % of 0.1": (
         lambda: 0.006 * 450,
-        "You took 6 % of the bias. They are of the true acceleration, 0.5 m/s².",
+        "2.7 m is what 0.006 m/s² makes, which is 6 % of the bias. The 6 % are of the true acceleration, 0.5 m/s².",
     ),
 }  # fmt: skip
 SLIPS["dark_time"] = {
     "added as squares": (
         lambda dv, b, allowed: math.sqrt(2 * (math.sqrt(dv**4 + b**2 * allowed**2) - dv**2)) / b,
-        "You added the metres as squares, as for independent errors. Both push the position the same way: the metres add.",
+        "That solves (dv·t)² + (b·t²/2)² = allowed², as for independent errors. Both push the position the same way: the metres add.",
     ),
     "−dv forgotten": (
         lambda dv, b, allowed: math.sqrt(dv**2 + 2 * b * allowed) / b,
@@ -173,7 +173,7 @@ SLIPS["inflated"] = {
 SLIPS["first_covariance"] = {
     "bias known": (
         np.array([[4 - 4 * 4 / 5.25, 0], [0, 0]]),
-        "You set the variance of the bias to zero. A considered bias keeps its variance, 1, and becomes correlated with the position.",
+        "Here the variance of the bias is zero. A considered bias keeps its variance, 1, and becomes correlated with the position.",
     ),
     "variance of the bias zero": (
         np.array([[4 - 4 * 4 / 5.25, -4 / 5.25], [-4 / 5.25, 0]]),
@@ -181,9 +181,9 @@ SLIPS["first_covariance"] = {
     ),
     "R squared, short": (
         np.array([[4 - 4 * 4 / 5.0625, -4 / 5.0625], [-4 / 5.0625, 1]]),
-        "You squared R. R = 0.25 is a variance already: S = 4 + 1 + 0.25.",
+        "That is right for R = 0.0625, the square of 0.25. R = 0.25 is a variance already: S = 4 + 1 + 0.25.",
     ),
-    "root of R": (first_gain(4 / 5.5, 0.5), "You took the root of R. R = 0.25 is the variance: S = 4 + 1 + 0.25."),
+    "root of R": (first_gain(4 / 5.5, 0.5), "That is right for R = 0.5, the root of 0.25. R = 0.25 is the variance: S = 4 + 1 + 0.25."),
     "R not in S": (first_gain(4 / 5), "Your gain lacks R: S = 4 + 1 + 0.25."),
     "R nowhere": (
         np.array([[0.8, -0.8], [-0.8, 1]]),
@@ -195,7 +195,7 @@ SLIPS["first_covariance"] = {
     ),
     "bias added": (
         np.array([[4 - 4 * 4 / 5.25 + 1, -4 / 5.25], [-4 / 5.25, 1]]),
-        "You added the variance of the bias to P₁₁ once more. (9J) counts it already.",
+        "P₁₁ is larger by 1, the variance of the bias, than it should be. (9J) counts that already.",
     ),
 }  # fmt: skip
 SLIPS["late_row"] = {

@@ -61,11 +61,11 @@ WRONG["smoothed_cov"] = {
     ),
     "the smaller": (
         lambda P, P_back: P if np.trace(P) < np.trace(P_back) else P_back,
-        "You took the better of the two. Both know something: fuse them.",
+        "That is the smaller one of the two. Both know something: fuse them.",
     ),
     "difference": (
         lambda P, P_back: np.linalg.inv(np.linalg.inv(P) - np.linalg.inv(P_back)),
-        "You took information away. The readings behind add theirs.",
+        "That is (P⁻¹ − P_back⁻¹)⁻¹, with information taken away. The readings behind add theirs.",
     ),
     "P on both sides": (
         lambda P, P_back: P @ np.linalg.inv(P + P_back) @ P,
@@ -104,11 +104,11 @@ WRONG["count_once"] = {
     ),
     "taken out twice": (
         lambda *given: meet(*given, taken=2),
-        "Now z does not count at all: it is in there twice, and you took it out twice. Once is enough.",
+        "Here z does not count at all: it is in there twice, and is taken out twice. Once is enough.",
     ),
     "added once more": (
         lambda *given: meet(*given, taken=-1),
-        "You added z a third time. It is too often in there: subtract 1/R and z/R.",
+        "Here z counts three times. It is too often in there: subtract 1/R and z/R.",
     ),
     "variance only": (
         lambda *given: (meet(*given, taken=0)[0], meet(*given)[1]),
@@ -138,7 +138,7 @@ WRONG["count_once"] = {
     ),
     "R taken off": (
         lambda x, P, x_back, P_back, z, R: ((P_back * x + P * x_back) / (P + P_back), P * P_back / (P + P_back) - R),
-        "You took R off the variance. A reading is taken out of the information: 1/R off 1/P + 1/P_back.",
+        "Here R is taken off the variance. A reading is taken out of the information: 1/R off 1/P + 1/P_back.",
     ),
     "variance not mended": (
         lambda *given: (meet(*given)[0], meet(*given, taken=0)[1]),
@@ -150,7 +150,7 @@ WRONG["count_once"] = {
     ),
     "half taken out": (
         lambda *given: meet(*given, taken=0.5),
-        "You took out half of z. It is in both beliefs, so one whole of it is too much.",
+        "Here half of z is taken out. It is in both beliefs, so one whole of it is too much.",
     ),
     "only the weighted sum": (
         lambda x, P, x_back, P_back, z, R: (

@@ -54,8 +54,7 @@ def filtered_not_predicted(x, P, F, Q, x_next, P_next):
 STEP_BACK = {
     "Q forgotten": (
         without_Q,
-        "You left Q out of the prediction. Then all that was wrong at k+1 was wrong at k already, and the filter's "
-        "own knowledge of step k is thrown away. P⁻ = F P Fᵀ + Q.",
+        "That is right for Q = 0: x_next and P_next carried back by F⁻¹. Then all that was wrong at k+1 was wrong at k already, and the filter's own knowledge of step k is thrown away. P⁻ = F P Fᵀ + Q.",
     ),
     "F for its transpose": (
         lambda *given: rts(*given, gain=lambda P, F, P_pred: P @ F @ np.linalg.inv(P_pred)),
@@ -117,7 +116,7 @@ STEP_BACK = {
     ),
     "G twice on P⁻": (
         twice_on_predicted,
-        "The mean is right. In the covariance you multiplied P⁻ by G once too often: G (P_next − P⁻) Gᵀ.",
+        "The mean is right. In the covariance P⁻ is multiplied by G once too often: G (P_next − P⁻) Gᵀ.",
     ),
     "run backwards": (
         lambda x, P, F, Q, x_next, P_next: (

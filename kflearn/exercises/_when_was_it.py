@@ -51,13 +51,16 @@ WRONG = {
             3.6,
             "The size is right. The reading tells where the bus was 0.24 s before the stamp, so it lies behind the bus: −.",
         ),
-        "km/h for m/s": (-12.96, "You multiplied km/h by s. 54 km/h is 54/3.6 = 15 m/s."),
+        "km/h for m/s": (-12.96, "That is km/h times s. 54 km/h is 54/3.6 = 15 m/s."),
         "km/h for m/s, ahead": (
             12.96,
-            "You multiplied km/h by s; 54 km/h is 54/3.6 = 15 m/s. And the reading lies behind the bus: −.",
+            "That is km/h times s; 54 km/h is 54/3.6 = 15 m/s. And the reading lies behind the bus: −.",
         ),
-        "milliseconds": (-3600.0, "240 ms are 0.24 s."),
-        "milliseconds, ahead": (3600.0, "240 ms are 0.24 s. And the reading lies behind the bus: −."),
+        "milliseconds": (-3600.0, "3600 is 15 m/s times 240. 240 ms are 0.24 s."),
+        "milliseconds, ahead": (
+            3600.0,
+            "3600 is 15 m/s times 240. 240 ms are 0.24 s, and the reading lies behind the bus: −.",
+        ),
         "one second": (-15.0, "That is what the bus drives in a whole second. The stamp is late by 0.24 s."),
         "one second, ahead": (
             15.0,
@@ -65,15 +68,15 @@ WRONG = {
         ),
         "there and back": (-7.2, "Twice too much: the delay counts once, between the reading and its stamp."),
         "half": (-1.8, "Half of it. The bus drives on for the whole 0.24 s."),
-        "divided": (-62.5, "You divided the speed by the time. Metres are m/s times s."),
+        "divided": (-62.5, "62.5 is 15 m/s divided by 0.24 s. Metres are m/s times s."),
         "divided, ahead": (
             62.5,
-            "You divided the speed by the time. Metres are m/s times s, and the reading lies behind.",
+            "62.5 is 15 m/s divided by 0.24 s. Metres are m/s times s, and the reading lies behind.",
         ),
-        "times 3.6": (-46.656, "You multiplied by 3.6. From km/h to m/s one divides: 54/3.6 = 15 m/s."),
+        "times 3.6": (-46.656, "That is right for 54 · 3.6 m/s. From km/h to m/s one divides: 54/3.6 = 15 m/s."),
         "times 3.6, ahead": (
             46.656,
-            "You multiplied by 3.6; from km/h to m/s one divides, 54/3.6 = 15 m/s. And the reading lies behind the bus: −.",
+            "That is right for 54 · 3.6 m/s; from km/h to m/s one divides, 54/3.6 = 15 m/s. And the reading lies behind the bus: −.",
         ),
         "seconds": (-0.24, "That is the delay itself, in s. In metres it is that times the speed."),
         "nothing": (
@@ -88,7 +91,7 @@ WRONG = {
         ),
         "0 to 9 only": (
             lambda v, late, dt: np.argmax(scores(v, late)[:10]) * dt,
-            "Do you try 10 steps as well? `range(10)` ends at 9.",
+            "That is the best of the shifts 0 to 9. Try 10 steps as well: `range(10)` ends at 9.",
         ),
         "negative": (
             lambda v, late, dt: -np.argmax(scores(v, late)) * dt,
@@ -96,23 +99,23 @@ WRONG = {
         ),
         "other way": (
             lambda v, late, dt: np.argmax(other_way(v, late)) * dt,
-            "You shifted the other series: you looked for a delay of v. If `late` is late by j steps, `late[j:]` belongs to `v[:len(v) - j]`.",
+            "That is the best delay of v, with the other series shifted. If `late` is late by j steps, `late[j:]` belongs to `v[:len(v) - j]`.",
         ),
         "smallest": (
             lambda v, late, dt: np.argmin(scores(v, late)) * dt,
-            "You took the shift at which the two are least alike. Take the largest correlation.",
+            "That is the shift at which the two are least alike. Take the largest correlation.",
         ),
         "mean not taken off": (
             lambda v, late, dt: np.argmax(products(v, late)) * dt,
-            "You added products without taking off the means, and over more terms for a small shift: such a sum is large where there are many terms. Use the correlation.",
+            "That is where the sum of products is largest, with the means not taken off: such a sum is large where there are many terms, at a small shift. Use the correlation.",
         ),
         "one step too many": (
             lambda v, late, dt: (np.argmax(scores(v, late)) + 1) * dt,
-            "One step too many. Does your first shift, number 0, mean no shift at all?",
+            "One step too many in every trial. Does your first shift, number 0, mean no shift at all?",
         ),
         "one step too few": (
             lambda v, late, dt: (np.argmax(scores(v, late)) - 1) * dt,
-            "One step too few. Does your list begin with the shift 0?",
+            'One step too few in every trial. Which place of your list stands for the shift 0? (In `np.correlate(…, "full")` it is T − 1.)',
         ),
         "the correlation itself": (
             lambda v, late, dt: np.max(scores(v, late)),
@@ -120,11 +123,11 @@ WRONG = {
         ),
         "divided by dt": (
             lambda v, late, dt: np.argmax(scores(v, late)) / dt,
-            "You divided by dt. A number of steps times the length of a step is a time.",
+            "That is the number of steps divided by dt. A number of steps *times* the length of a step is a time.",
         ),
         "five shifts only": (
             lambda v, late, dt: np.argmax(scores(v, late)[:5]) * dt,
-            "You tried too few shifts. The delay is 0 to 10 steps: that makes eleven.",
+            "That is the best of the shifts 0 to 4. The delay is 0 to 10 steps: that makes eleven.",
         ),
     },
     "which_step": {str(line): ({line}, sentence) for line, sentence in LINES.items()},

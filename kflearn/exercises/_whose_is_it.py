@@ -60,23 +60,23 @@ def left_out(*given):
 
 WRONG = {
     "false_in_gate": {
-        "the sum of the variances": (np.pi * 9.21 * 61 * 5e-4, "You took the trace of S, 61. The area goes with the root of the determinant, √(36 · 25) = 30."),
-        "the determinant": (np.pi * 9.21 * 900 * 5e-4, "You took the determinant itself, 900 m⁴. An area in m² needs its square root, 30."),
+        "the sum of the variances": (np.pi * 9.21 * 61 * 5e-4, "That is π · 9.21 · 61 · 0.0005, with the trace of S. The area goes with the root of the determinant, √(36 · 25) = 30."),
+        "the determinant": (np.pi * 9.21 * 900 * 5e-4, "That is π · 9.21 · 900 · 0.0005, with the determinant itself, 900 m⁴. An area in m² needs its square root, 30."),
         "the limit squared": (np.pi * 9.21**2 * 30 * 5e-4, "The limit is that of a square, the NIS, so the half axes are √9.21 σ long. In the area the limit stands once, not squared."),
         "the root of the limit": (np.pi * np.sqrt(9.21) * 30 * 5e-4, "An area has two half axes, each √9.21 σ long: their product has 9.21 in it, not its root."),
         "no π": (9.21 * 30 * 5e-4, "The π of the ellipse is missing: its area is π times the product of the half axes."),
         "a box": (4 * 9.21 * 30 * 5e-4, "That is the box around the ellipse, with sides 2√9.21 σ. The gate is the ellipse: π in place of 4."),
         "one standard deviation": (np.pi * 30 * 5e-4, "That is the ellipse of one standard deviation. The gate is larger: its limit is a NIS of 9.21."),
-        "3 sigma": (np.pi * 9 * 30 * 5e-4, "You took 3², which is 9; the limit is said to be 9.21."),
+        "3 sigma": (np.pi * 9 * 30 * 5e-4, "That is right for a limit of 9 = 3²; the limit is said to be 9.21."),
         "2π": (2 * np.pi * 9.21 * 30 * 5e-4, "The area of an ellipse is π times its half axes, not 2π."),
         "not times λ": (AREA, "That is the area of the gate, in m². How many false readings are in it, at 0.0005 for each m²?"),
-        "P_G": (0.99 * AREA * 5e-4, "You multiplied by P_G. It is about the boat's own reading; false ones are anywhere, and the area alone counts."),
+        "P_G": (0.99 * AREA * 5e-4, "0.43 is 0.99 times the right number. P_G is about the boat's own reading; false ones are anywhere, and the area alone counts."),
         "the chance of none": (float(np.exp(-AREA * 5e-4)), "That is the probability that no false reading is in the gate. Their mean number was asked for."),
         "the chance of one at least": (1 - float(np.exp(-AREA * 5e-4)), "That is the probability of one false reading at least. Their mean number was asked for; it is larger, as two and three count more."),
-        "with the boat": (AREA * 5e-4 + 0.9, "You added the boat's own reading. Only the false ones were asked for."),
-        "one axis": (np.pi * 9.21 * 36 * 5e-4, "You took 36 for both axes. The half axes go with 6 and 5 m: √(36 · 25) = 30."),
-        "the other axis": (np.pi * 9.21 * 25 * 5e-4, "You took 25 for both axes. The half axes go with 6 and 5 m: √(36 · 25) = 30."),
-        "quartered": (AREA * 5e-4 / 4, "You divided by 4, as if the axes were diameters. √9.21 σ is half an axis already."),
+        "with the boat": (AREA * 5e-4 + 0.9, "That is larger by 0.9 than it should be: the boat's own reading. Only the false ones were asked for."),
+        "one axis": (np.pi * 9.21 * 36 * 5e-4, "That is right for 36 m² on both axes. The half axes go with 6 and 5 m: √(36 · 25) = 30."),
+        "the other axis": (np.pi * 9.21 * 25 * 5e-4, "That is right for 25 m² on both axes. The half axes go with 6 and 5 m: √(36 · 25) = 30."),
+        "quartered": (AREA * 5e-4 / 4, "That is a quarter of the right number, as if the axes were diameters. √9.21 σ is half an axis already."),
     },
     "weights": {
         "none is forgotten": (without_none, "The readings alone share the whole. The first weight, that none of them is the target's, is missing."),
@@ -106,8 +106,8 @@ WRONG = {
         },
         missed={
             "P_G": "",
-            "P_D": "You took 1 − P_D for a miss. The target's reading can also be outside the gate: 1 − 0.99 P_D.",
-            "gate": "You took 1 − 0.99 alone. The target can also give no reading: 1 − 0.99 P_D.",
+            "P_D": "Your b has 1 − P_D. The target's reading can also be outside the gate: 1 − 0.99 P_D.",
+            "gate": "Your b has 1 − 0.99 alone. The target can also give no reading: 1 − 0.99 P_D.",
             "1": "The probability that no reading in the gate is the target's is missing: 1 − 0.99 P_D.",
             "×": "That is a target that gives no reading, inside the gate. Wanted is one without a reading in the gate: 1 − 0.99 P_D.",
         },
@@ -118,7 +118,7 @@ WRONG = {
         },
         density={
             "λ": "",
-            "1/λ": "b grows with λ: the more false readings there are, the less is any reading worth. You divided by it.",
+            "1/λ": "Your b is divided by λ. It grows with λ: the more false readings there are, the less is any reading worth.",
             "no λ": "λ is missing in b. Without it b has a unit, and a sum with e^(−NIS/2), which has none, means nothing.",
         },
         nis={

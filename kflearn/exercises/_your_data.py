@@ -16,7 +16,7 @@ WRONG["clock"] = {
     ),
     "median": (
         lambda time, z: np.full((~np.isnan(z)).sum() - 1, np.median(np.diff(time))),
-        "You gave every step the median length. Over a gap the step is longer.",
+        "Every step has the median length here. Over a gap the step is longer.",
     ),
     "NaN by comparison": (
         lambda time, z: np.diff(time[z != np.nan]),
@@ -29,8 +29,7 @@ WRONG["clock"] = {
     ),
     "steps dropped": (
         lambda time, z: np.diff(time)[~np.isnan(z[1:])],
-        "You took the differences first and then dropped those that lead to a gap. The time of the dropped steps is "
-        "lost: the clock still stops. First drop, then take differences.",
+        "Those are the steps of all rows without those that lead to a gap. The time of the dropped steps is lost: the clock still stops. First drop, then take differences.",
     ),
     "times": (
         lambda time, z: time[~np.isnan(z)],
@@ -46,8 +45,7 @@ WRONG["clock"] = {
     ),
     "mask one too early": (
         lambda time, z: np.diff(time)[~np.isnan(z)[:-1]],
-        "You took the differences first and then dropped those that begin at a gap: their time is lost. First "
-        "drop, then take differences.",
+        "Those are the steps of all rows without those that begin at a gap: their time is lost. First drop, then take differences.",
     ),
     "first step from zero": (
         lambda time, z: np.diff(time[~np.isnan(z)], prepend=0),
@@ -81,7 +79,7 @@ WRONG["clock"] = {
     ),
     "mean length": (
         lambda time, z: np.full((~np.isnan(z)).sum() - 1, np.mean(np.diff(time))),
-        "You gave every step the mean length. Over a gap the step is longer.",
+        "Every step has the mean length here. Over a gap the step is longer.",
     ),
     "gaps only": (
         lambda time, z: np.diff(time)[np.isnan(z[1:])],
@@ -92,11 +90,11 @@ WRONG["clock"] = {
 WRONG["variance_at_rest"] = {
     "whole record": (
         lambda time, z, until: np.nanvar(z, ddof=1),
-        "You took the whole record. Whatever moved counts as noise then: keep to `time < until`.",
+        "That is the variance of the whole record. Whatever moved counts as noise then: keep to `time < until`.",
     ),
     "whole record, ddof 0": (
         lambda time, z, until: np.nanvar(z),
-        "You took the whole record. Whatever moved counts as noise then: keep to `time < until`.",
+        "That is the variance of the whole record. Whatever moved counts as noise then: keep to `time < until`.",
     ),
     "the moving part": (
         lambda time, z, until: np.nanvar(z[time >= until], ddof=1),
@@ -128,11 +126,11 @@ WRONG["variance_at_rest"] = {
     ),
     "the lesson's 20 s": (
         lambda time, z, until: np.nanvar(z[time < 20], ddof=1),
-        "You took 20 s, as in the lesson. Here `until` says how long nothing moved.",
+        "That is right for the first 20 s, as in the lesson. Here `until` says how long nothing moved.",
     ),
     "the lesson's 40 s": (
         lambda time, z, until: np.nanvar(z[time < 40], ddof=1),
-        "You took 40 s, the number in the program above, and the ride with it. `until` says how long nothing moved.",
+        "That is right for the first 40 s, the number in the program above. `until` says how long nothing moved.",
     ),
     "differences": (
         lambda time, z, until: np.nanvar(np.diff(at_rest(time, z, until)), ddof=1),

@@ -33,20 +33,26 @@ from kflearn.exercises.engine import exercise, judged
             200,
             "200 is 2 (1/0.1)², which holds for S = 1 m². An innovation has S = 1 + 0.3: the prediction is uncertain too.",
         ),
-        "2 forgotten": (169, "You forgot the 2: the square of a bell has the variance 2S², so C scatters by S √(2/N)."),
-        "not squared": (26, "You forgot to square: from 1.3 √(2/N) = 0.1 follows N = 2 · 13²."),
+        "2 forgotten": (
+            169,
+            "169 is (1.3/0.1)². The square of a bell has the variance 2S², so C scatters by S √(2/N): a 2 is missing.",
+        ),
+        "not squared": (26, "26 is 2 · 13. From 1.3 √(2/N) = 0.1 follows N = 2 · 13²."),
         "R alone, 2 forgotten": (
             100,
             "σ/√N is the error of a mean of plain numbers. Here it is a mean of squares: S √(2/N), with S = 1.3.",
         ),
-        "0.1 as a variance": (34, "You took 0.1 for the variance of R̂. The question names its standard deviation."),
+        "0.1 as a variance": (
+            34,
+            "With 34 the *variance* of R̂ is about 0.1. The question names its standard deviation.",
+        ),
         "one too few": (
             337,
             "With 337 it is still a little above 0.1 m². Take the next whole number.",
         ),
         "only the prediction": (
             18,
-            "You took 0.3 m², the prediction's share, for the variance of an innovation. It is S = 1 + 0.3.",
+            "18 is right for S = 0.3 m², the prediction's share. The variance of an innovation is S = 1 + 0.3.",
         ),
         "not divided": (
             2 * 1.3**2,
@@ -59,11 +65,11 @@ from kflearn.exercises.engine import exercise, judged
         ),
         "S over the wanted, ten times": (
             130,
-            "You divided S by 0.1². From 1.3 √(2/N) = 0.1 follows N = 2 (1.3/0.1)².",
+            "130 is 1.3/0.1². From 1.3 √(2/N) = 0.1 follows N = 2 (1.3/0.1)².",
         ),
         "difference": (
             98,
-            "You took 1 − 0.3 for the variance of an innovation. Sensor and prediction both scatter: S = 1 + 0.3.",
+            "98 is right for S = 1 − 0.3. Sensor and prediction both scatter: S = 1 + 0.3.",
         ),
         "S not squared": (
             260,
@@ -71,11 +77,11 @@ from kflearn.exercises.engine import exercise, judged
         ),
         "root of S": (
             lambda: 2 * 1.3**0.5 / 0.01,
-            "You took the root of S. The mean of squares scatters by S √(2/N), with S = 1.3 itself.",
+            "That is 2 √1.3/0.1². The mean of squares scatters by S √(2/N), so S stands squared: 2 · 1.3²/0.1².",
         ),
         "0.01 once more": (
             33800,
-            "You divided by 0.01 once too often: N = 2 (1.3/0.1)², and (1/0.1)² is 100.",
+            "33800 is a hundred times too large, by another 1/0.1²: N = 2 (1.3/0.1)², and (1/0.1)² is 100.",
         ),
         "plain ratio": (
             13,
@@ -83,7 +89,7 @@ from kflearn.exercises.engine import exercise, judged
         ),
         "variances of R and prediction": (
             lambda: 2 * (1 + 0.3**2) / 0.01,
-            "You squared 1 and 0.3 one by one. They are variances that add to S = 1.3; then S is squared.",
+            "218 is 2 (1² + 0.3²)/0.1². 1 and 0.3 are variances that add to S = 1.3; then S is squared.",
         ),
     }
     | SLIPS["window_needed"]

@@ -94,7 +94,7 @@ def bearing_variance(sd):
     wrong={
         "own velocity doubled": (
             (6, -4),
-            "You doubled the target's own velocity, or ours as well. What doubles is the velocity relative to us, (−3, −2); ours is added once.",
+            "(6, −4) is twice the target's own velocity, and also twice the relative one with twice ours added. What doubles is the velocity relative to us, (−3, −2); ours is added once.",
         ),
         "relative velocity": (
             (-6, -4),
@@ -110,23 +110,29 @@ def bearing_variance(sd):
         ),
         "ours subtracted twice": (
             (-12, -4),
-            "You subtracted our velocity again; going back from relative to own, it is added.",
+            "That is the twin's relative velocity, (−6, −4), less ours. To go back from relative to own, ours is added.",
         ),
         "half": ((1.5, -1), "Twice as far away, the twin must move faster, not more slowly, to keep the same bearing."),
-        "half, relative": ((4.5, -1), "Twice as far away, the relative velocity doubles; you have halved it."),
+        "half, relative": (
+            (4.5, -1),
+            "That is half of the relative velocity, plus ours. Twice as far away, the relative velocity doubles.",
+        ),
         "doubled, ours not": (
             (12, -4),
-            "You doubled the target's own velocity and added ours. The relative one, target minus ours, is what doubles.",
+            "12 east is not right; the north is. Relative to us the target moves with 3 − 6 = −3 to the east: that doubles, and then our 6 is added.",
         ),
-        "both added": ((9, -2), "You added the two velocities. The relative velocity is the target's minus ours."),
+        "both added": (
+            (9, -2),
+            "That is the sum of the two velocities. The relative velocity is the target's minus ours; double it, then add ours.",
+        ),
         "sign": (
             (0, 4),
             "The sign of the second number: relative is target minus ours, −2 − 0 to the north. It doubles and keeps its sign.",
         ),
-        "east and north swapped": ((-4, 0), "You exchanged east and north: east comes first."),
+        "east and north swapped": ((-4, 0), "These are the right two numbers, exchanged: east comes first."),
         "ours counted twice": (
             (6, -2),
-            "Only the east part has been doubled. Both parts of the relative velocity, (−3, −2), double.",
+            "Relative to us that target does not move east or west. Both parts of the relative velocity, (−3, −2), double; then our (6, 0) is added.",
         ),
         "not doubled in the north": (
             (0, -2),
@@ -134,11 +140,11 @@ def bearing_variance(sd):
         ),
         "sum doubled": (
             (18, -4),
-            "You added the velocities and doubled the sum. Take the target's minus ours, double it, then add ours.",
+            "That is twice the sum of the two velocities. Take the target's minus ours, double it, then add ours.",
         ),
         "one doubled": (
             (12, -2),
-            "You doubled one number alone and left ours out. Relative velocity, twice, then back: all of it for east and for north.",
+            "Relative to us that target moves with (6, −2), and the true one with (−3, −2): both numbers are to be doubled, then our (6, 0) is added.",
         ),
         "ours minus theirs, doubled": (
             (6, 4),
@@ -150,11 +156,11 @@ def bearing_variance(sd):
         ),
         "target's velocity added": (
             (-3, -6),
-            "You doubled the relative velocity and added the target's. It is relative to us: add ours.",
+            "That is twice the relative velocity, plus the target's. It is relative to us: add ours.",
         ),
         "target's taken off": (
             (-9, -2),
-            "You doubled the relative velocity and took the target's off. It is relative to us: add ours.",
+            "That is twice the relative velocity, less the target's. It is relative to us: add ours.",
         ),
         "our velocity": (
             (6, 0),
@@ -162,7 +168,7 @@ def bearing_variance(sd):
         ),
         "four times": (
             (-6, -8),
-            "You doubled twice. Twice as far away, the relative velocity doubles once.",
+            "That is four times the relative velocity, plus ours. Twice as far away, the relative velocity doubles once.",
         ),
         "ours unchanged, north doubled": (
             (3, -4),

@@ -23,21 +23,24 @@ from kflearn.exercises.engine import exercise
         "0.3² + 0.5² m².",
     ],
     wrong={
-        "standard deviations added": (0.8, "You added the standard deviations; R is a variance, so square each first."),
+        "standard deviations added": (
+            0.8,
+            "0.8 is the sum of the standard deviations; R is a variance, so square each first.",
+        ),
         "sum squared": (
             0.64,
             "(0.3 + 0.5)² would be right if noise and bias always pushed the same way; they are independent.",
         ),
         "variance plus σ": (
             0.59,
-            "You added the bias by its standard deviation, 0.09 + 0.5: metres to square metres. With σ = 1 m nobody notices.",
+            "0.59 is 0.09 + 0.5, with the bias by its standard deviation: metres to square metres. With σ = 1 m nobody notices.",
         ),
         "root": (math.sqrt(0.34), "That is the standard deviation of a reading. R is its square."),
         "bias alone": (0.25, "That is the bias alone; the white noise has not gone away."),
         "noise alone": (0.09, "That is R without any inflation: the bias is ignored."),
         "variance plus σ of the noise": (
             0.55,
-            "You added the noise by its standard deviation, 0.3 + 0.25: metres to square metres. R is 0.3² + 0.5².",
+            "0.55 is 0.3 + 0.25, with the noise by its standard deviation: metres to square metres. R is 0.3² + 0.5².",
         ),
         "the planned one": (
             27,
@@ -45,12 +48,15 @@ from kflearn.exercises.engine import exercise
         ),
         "fused": (
             0.09 * 0.25 / 0.34,
-            "You fused the two, as if each were a reading. Both errors are in the same reading: their variances add.",
+            "That is what fusing the two gives, as if each were a reading. Both errors are in the same reading: their variances add.",
         ),
-        "difference": (0.16, "Variances of independent errors add, whatever the sign of the errors."),
+        "difference": (
+            0.16,
+            "0.16 is 0.25 − 0.09. Variances of independent errors add, whatever the sign of the errors.",
+        ),
         "mean of the two": (
             lambda: (0.3**2 + 0.5**2) / 2,
-            "You took the mean of the two variances. Both errors are in every reading: their variances add.",
+            "0.17 is the mean of the two variances. Both errors are in every reading: their variances add.",
         ),
         "mean of the σ": (
             0.4,
@@ -58,7 +64,7 @@ from kflearn.exercises.engine import exercise
         ),
         "product": (
             0.15,
-            "You multiplied the two standard deviations. The two errors are independent: their variances add.",
+            "0.15 is the product of the two standard deviations. The two errors are independent: their variances add.",
         ),
         "the lesson's": (
             1.25,

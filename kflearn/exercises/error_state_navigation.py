@@ -21,7 +21,7 @@ from kflearn.exercises.engine import exercise
     wrong={
         "the scale once": (
             lambda: 0.03 * 30**2 / 2,
-            "You counted the scale error once. It is learnt with a plus sign and met with a minus: the difference is twice 0.03.",
+            "13.5 m is what 0.03 m/s² makes, the scale error once. It is learnt with a plus sign and met with a minus: the difference is twice 0.03.",
         ),
         "all of it": (
             lambda: 0.13 * 30**2 / 2,
@@ -49,8 +49,7 @@ from kflearn.exercises.engine import exercise
         ),
         "learnt plus scale": (
             lambda: 0.16 * 30**2 / 2,
-            "You added everything that is wrong. The filter subtracts what it has learnt, 0.13 m/s²; what does "
-            "the sensor show too much while the tram brakes?",
+            "72 m is what 0.16 m/s² makes, the learnt 0.13 and 0.03 more. The filter subtracts what it has learnt; what does the sensor show too much while the tram brakes?",
         ),
         "an acceleration": (
             0.06,
@@ -93,7 +92,7 @@ def tunnel_mouths(rng):
     wrong={
         "half forgotten": (
             lambda dv, b, allowed: (-dv + math.sqrt(dv**2 + 4 * b * allowed)) / (2 * b),
-            "You let the bias make b·t² metres. Its speed grows from nothing to b·t, and on average is half of that: b·t²/2.",
+            "That solves dv·t + b·t² = allowed. The bias makes b·t²/2 metres: its speed grows from nothing to b·t, and on average is half of that.",
         ),
         "only the bias": (
             lambda dv, b, allowed: math.sqrt(2 * allowed / b),
@@ -113,11 +112,11 @@ def tunnel_mouths(rng):
         ),
         "two times added": (
             lambda dv, b, allowed: allowed / dv + math.sqrt(2 * allowed / b),
-            "You added two times. The two errors happen at the same time: add the metres, then solve for t.",
+            "That is the sum of two times, one for each error alone. The two errors happen at the same time: add the metres, then solve for t.",
         ),
         "the earlier of two": (
             lambda dv, b, allowed: min(allowed / dv, math.sqrt(2 * allowed / b)),
-            "You took the earlier of two times. But both errors act at the same time: add the metres, then solve for t.",
+            "That is the earlier of two times, one for each error alone. But both errors act at the same time: add the metres, then solve for t.",
         ),
         "not divided": (
             lambda dv, b, allowed: -dv + math.sqrt(dv**2 + 2 * b * allowed),
@@ -134,11 +133,11 @@ def tunnel_mouths(rng):
         ),
         "no time in it": (
             lambda dv, b, allowed: allowed / (dv + b),
-            "You added a speed and an acceleration. First make metres of each: dv·t and b·t²/2.",
+            "That is allowed/(dv + b), with the sum of a speed and an acceleration. First make metres of each: dv·t and b·t²/2.",
         ),
         "both squared": (
             lambda dv, b, allowed: math.sqrt(allowed / (dv + b / 2)),
-            "You let the speed error make dv·t² metres. It makes dv·t; only the bias grows with t².",
+            "That solves dv·t² + b·t²/2 = allowed. The speed error makes dv·t metres; only the bias grows with t².",
         ),
         "both roots": (
             lambda dv, b, allowed: tuple((-dv + side * math.sqrt(dv**2 + 2 * b * allowed)) / b for side in (1, -1)),
@@ -171,8 +170,8 @@ def dark_time(dv, b, allowed):
     ],
     wrong=MORE["goes_back"],
     then=(
-        "Only ψ and s stand in F. A state on which F does not depend may be wrong in the INS: F moves its error in the "
-        "same way, fed back or not."
+        "Only ψ and s stand in F, and H is constant. A state on which neither depends may be wrong in the INS: F moves "
+        "its error in the same way, fed back or not, and H measures it in the same way."
     ),
 )
 def goes_back():

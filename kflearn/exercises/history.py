@@ -44,11 +44,11 @@ def undisturbed():
         ),
         "nine readings": (
             lambda: 1 - (1 - SLOW_GAIN) ** 9,
-            "You counted nine readings. From j = 0 to 9 there are ten: after the first, 1 − K is left; after ten, (1 − K)¹⁰.",
+            "That is the share of the newest nine. From j = 0 to 9 there are ten: after the first, 1 − K is left; after ten, (1 − K)¹⁰.",
         ),
         "eleven readings": (
             lambda: 1 - (1 - SLOW_GAIN) ** 11,
-            "You counted eleven readings: j = 0 to 9 are ten.",
+            "That is the share of the newest eleven: j = 0 to 9 are ten.",
         ),
         "one weight": (
             lambda: SLOW_GAIN * (1 - SLOW_GAIN) ** 9,
@@ -80,11 +80,11 @@ def undisturbed():
         ),
         "the tenth power of K": (
             lambda: SLOW_GAIN**10,
-            "You took K to the power ten. After each reading the part 1 − K is left for the older ones.",
+            "That is K to the power ten. After each reading the part 1 − K is left for the older ones.",
         ),
         "K forgotten": (
             lambda: (1 - (1 - SLOW_GAIN) ** 10) / SLOW_GAIN,
-            "Your weights lack the factor K: a share is at most 1.",
+            "That is the sum of (1 − K)ʲ, without the factor K. A share is at most 1.",
         ),
         "ten of a hundred": (
             0.1,
@@ -96,7 +96,7 @@ def undisturbed():
         ),
         "j from 1": (
             lambda: sum(SLOW_GAIN * (1 - SLOW_GAIN) ** j for j in range(1, 11)),
-            "You added j = 1 to 10. The newest reading has j = 0.",
+            "That is the sum for j = 1 to 10. The newest reading has j = 0.",
         ),
         "the newest alone": (0.15, "That is the newest reading alone. Add the nine before it."),
         "as a list": (
@@ -170,7 +170,7 @@ def exponential_weights(K, n):
         ),
         "times K": (
             lambda: 0.3 * CONSTANT_GAIN,
-            "You multiplied by K. With a *small* gain the estimate is far behind: K belongs in the denominator.",
+            "That is 0.3 times K. With a *small* gain the estimate is far behind: K belongs in the denominator.",
         ),
         "upside down": (
             lambda: 0.3 * CONSTANT_GAIN / (1 - CONSTANT_GAIN),
@@ -186,7 +186,7 @@ def exponential_weights(K, n):
         ),
         "1 − K below": (
             lambda: 0.3 / (1 - CONSTANT_GAIN),
-            "You divided by 1 − K. Each night the estimate goes the part K of the way, so K belongs in the denominator.",
+            "That is 0.3 divided by 1 − K. Each night the estimate goes the part K of the way, so K belongs in the denominator.",
         ),
         "nights of 1/K": (
             lambda: 1 / CONSTANT_GAIN,

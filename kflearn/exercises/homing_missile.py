@@ -76,7 +76,7 @@ def memory(lasts, sd, dt):
         ),
         "a third of the distance": (
             lambda: math.hypot(500, 300, 40) / 3,
-            "You divided the distance by 3. It is the *square* of the distance that three axes share: divide by √3.",
+            "That is the distance divided by 3. It is the *square* of the distance that three axes share: divide by √3.",
         ),
         "as published": (
             lambda: 100,
@@ -84,7 +84,7 @@ def memory(lasts, sd, dt):
         ),
         "100 times 34/3": (
             lambda: 100 * 34.16 / 3,
-            "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
+            "That is 100 m times 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
         ),
         "400, as in the lesson": (
             lambda: 400,
@@ -96,57 +96,60 @@ def memory(lasts, sd, dt):
         ),
         "three times the distance": (
             lambda: math.hypot(500, 300, 40) * math.sqrt(3),
-            "You multiplied by √3 where you should divide: that σ makes the NEES a third.",
+            "That is the distance times √3, and with this σ the NEES is a third. Divide the distance by √3.",
         ),
         "root of the mean error": (
             lambda: 100 * math.sqrt(3 / 34),
-            "You went the wrong way: the errors are larger than claimed, so σ must grow, by the root of 34/3.",
+            "That σ is smaller than the claimed one. The errors are larger than claimed, so σ must grow, by the root of 34/3.",
         ),
         "a third": (
             lambda: 34 / 3,
             "That is how many times too large the NEES is. σ grows by its root, beginning at 100 m.",
         ),
-        "two axes": (lambda: math.sqrt((500**2 + 300**2) / 2), "You averaged over two axes. There are three."),
+        "two axes": (
+            lambda: math.sqrt((500**2 + 300**2) / 2),
+            "That is √((500² + 300²)/2), from two axes. There are three.",
+        ),
         "σ of the largest error": (
             500,
-            "You took the largest error for σ. All three axes count: the mean of their squares.",
+            "500 m is the largest error. All three axes count: the mean of their squares, and its root.",
         ),
         "half of the sum of squares": (
             lambda: math.hypot(500, 300, 40) / 2,
-            "You divided the length by 2. Three axes share the squared length.",
+            "That is half of the distance. Three axes share the squared distance.",
         ),
         "root of the sum": (
             lambda: math.sqrt(840 / 3),
-            "You took the root of the mean of the three errors. The NEES adds their *squares*: 500², 300² and 40².",
+            "That is the root of the mean of 500, 300 and 40. The NEES adds their *squares*: 500², 300² and 40².",
         ),
         "root of the sum, not divided": (
             lambda: math.sqrt(840),
-            "You added the three errors and took the root. The NEES adds their *squares*; then three axes share the sum.",
+            "That is the root of 500 + 300 + 40. The NEES adds their *squares*; then three axes share the sum.",
         ),
         "by √3": (
             lambda: 100 * math.sqrt(3),
-            "You scaled σ by √3. The NEES is 34 and should be 3, so it must shrink by 34/3, and it goes with 1/σ².",
+            "That is 100 m times √3. The NEES is 34 and should be 3, so it must shrink by 34/3, and it goes with 1/σ².",
         ),
         "three times": (
             300,
-            "You took three times the claim, or the second error. The NEES is 34 and should be 3, and it goes with 1/σ².",
+            "300 m is three times the claim, and also the second error. With this σ the NEES is 3.8: it goes with 1/σ².",
         ),
         "100 times 34": (
             lambda: 3400,
-            "You scaled σ by the NEES. It should be 3, not 1, and it goes with 1/σ²: scale σ by the root of 34/3.",
+            "That is 100 m times the NEES. It should be 3, not 1, and it goes with 1/σ²: scale σ by the root of 34/3.",
         ),
-        "the sum of the errors": (840, "You added the errors as they are. The NEES adds their squares."),
+        "the sum of the errors": (840, "840 is the sum of the three errors. The NEES adds their squares."),
         "the sum of the squares": (
             lambda: 500**2 + 300**2 + 40**2,
             "That is the squared length of the error. Divided by σ² it must give 3: solve for σ.",
         ),
         "largest axis, shared": (
             lambda: 500 / math.sqrt(3),
-            "You shared the largest error alone among three axes. Put the squares of all three together first.",
+            "That is 500 m divided by √3, the largest error alone. Put the squares of all three together first.",
         ),
         "100 times 34/3, rounded": (
             lambda: 100 * 34 / 3,
-            "You scaled σ by 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
+            "That is 100 m times 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
         ),
     }
     | THIRD["start_sigma"]

@@ -35,12 +35,12 @@ from kflearn.exercises.engine import exercise
         ),
         "fused": (
             30 / math.sqrt(2),
-            "You fused them, as if both were right. Only one of them is, and nobody knows which: a blend is wider.",
+            "21.2 m is what fusing them gives, as if both were right. Only one of them is, and nobody knows which: a blend is wider.",
         ),
         "variance": (2500.0, "That is the variance, in m²; σ is its root."),
         "distance between the two": (
             math.hypot(30, 80),
-            "You took the distance between the two means, 80 m. It is the distance to the blend's mean that counts, 40 m.",
+            "That is √(30² + 80²), with the distance between the two means, 80 m. It is the distance to the blend's mean that counts, 40 m.",
         ),
         "distance, not squared": (
             80.0,
@@ -48,7 +48,7 @@ from kflearn.exercises.engine import exercise
         ),
         "σ and distance added": (
             70.0,
-            "You added σ and the distance from the middle. Add their squares, and take the root.",
+            "70 m is 30 m + 40 m, σ and the distance from the middle. Add their squares, and take the root.",
         ),
     }
     | MORE["blended_sigma"]
@@ -89,7 +89,7 @@ def leaving(stays, T):
         ),
         "clock forgotten": (
             lambda stays, T: leaving(stays, 1.0),
-            "You took one step for one second. In `stays[i]` seconds there are `stays[i] / T` steps.",
+            "That is right for steps of one second. In `stays[i]` seconds there are `stays[i] / T` steps.",
         ),
         "clock upside down": (
             lambda stays, T: leaving(stays, 1 / T),
@@ -99,7 +99,7 @@ def leaving(stays, T):
             lambda stays, T: np.where(
                 np.eye(len(stays), dtype=bool), 1 - (T / stays)[:, None], (T / stays)[:, None] / len(stays)
             ),
-            "You shared the leaving among all M modes; who leaves passes to one of the other M − 1. Your rows fall short of 1.",
+            "Each entry off the diagonal is T/(stays·M), and the rows fall short of 1. Who leaves passes to one of the other M − 1.",
         ),
         "not shared": (
             lambda stays, T: np.where(np.eye(len(stays), dtype=bool), 1 - (T / stays)[:, None], (T / stays)[:, None]),
@@ -128,7 +128,7 @@ def leaving(stays, T):
             lambda stays, T: np.where(
                 np.eye(len(stays), dtype=bool), 1 - (T / stays)[:, None], (T / stays)[:, None] / 2
             ),
-            "You shared the leaving by 2, which holds for three modes. There may be more: share by len(stays) − 1.",
+            "Each entry off the diagonal is T/(2·stays), which is right for three modes. There may be more: share by len(stays) − 1.",
         ),
         "diagonal only": (
             lambda stays, T: np.diag(1 - T / stays),
@@ -210,7 +210,7 @@ def swapped(z):
         ),
         "T forgotten": (
             lambda z, T: assembled(z[:, 0], z[:, 1], z[:, 1] - z[:, 0]),
-            "Both indices are mended, but a difference of positions is no speed until it is divided by T.",
+            "Both faults are mended, but a difference of positions is no speed until it is divided by T.",
         ),
         "mean speed of all runs": (
             lambda z, T: assembled(z[:, 0], z[:, 1], np.tile(((z[:, 1] - z[:, 0]) / T).mean(axis=0), (len(z), 1))),
@@ -230,7 +230,7 @@ def swapped(z):
         ),
         "two steps": (
             lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 2] - z[:, 0]) / (2 * T)),
-            "Only the first two readings are used for the start; you took the third for the speed.",
+            "Your speed is that from the first to the third sample. The start uses the first two.",
         ),
         "later speed": (
             lambda z, T: assembled(z[:, 0], z[:, 1], (z[:, 2] - z[:, 1]) / T),

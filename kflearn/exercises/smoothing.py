@@ -26,15 +26,15 @@ from kflearn.exercises.engine import exercise
     wrong={
         "Q forgotten": (
             (6.0, 2.0),
-            "You carried the knowledge about step k+1 over unchanged, G = 1. That holds for Q = 0 only; here G = 3/4.",
+            "That is the belief about step k+1, unchanged, as with G = 1. That holds for Q = 0 only; here G = 3/4.",
         ),
         "G = 1": (
             (6.0, 1.0),
-            "You took G = 1: all of what was wrong at step k+1 would have been wrong at step k. Here Q = 1, and G = P/P⁻ = 3/4.",
+            "That is right for G = 1: all of what was wrong at step k+1 would have been wrong at step k. Here Q = 1, and G = P/P⁻ = 3/4.",
         ),
         "G once in the variance, turned": (
             (5.5, 2.25),
-            "The mean is right. You multiplied the filter's 3 by G. It is 3 + G² (2 − 4).",
+            "The mean is right. 2.25 is G times the filter's 3. The variance is 3 + G² (2 − 4).",
         ),
         "gain upside down": (
             (4 + 8 / 3, 3 - 32 / 9),
@@ -42,21 +42,19 @@ from kflearn.exercises.engine import exercise
         ),
         "compared with the filter": (
             (5.5, 3 - 9 / 16),
-            "The mean is right. In the variance you compared 2 with the filter's 3; compare it with the predicted 4.",
+            "The mean is right. Your variance is 3 + G² (2 − 3), with the filter's 3; compare 2 with the predicted 4.",
         ),
         "only Q added": (
             (6.0, 3.0),
-            "You walked back from step k+1 and added Q. That forgets what the filter knew about step k, N(4, 3).",
+            "That is N(6, 2) with Q added, as if walked back from step k+1. It forgets what the filter knew about step k, N(4, 3).",
         ),
         "fused with it": (
             (5.2, 1.2),
-            "You fused N(4, 3) with N(6, 2). But they are not two separate opinions: N(6, 2) already contains what the "
-            "filter knew about step k. Compare N(6, 2) with the prediction N(4, 4).",
+            "That is N(4, 3) fused with N(6, 2). But they are not two separate opinions: N(6, 2) already contains what the filter knew about step k. Compare N(6, 2) with the prediction N(4, 4).",
         ),
         "fused, with Q": (
             (5.0, 1.5),
-            "You fused N(4, 3) with N(6, 2 + 1). Q is in its place, but N(6, 2) already contains the filter's N(4, 3), "
-            "which now counts twice. Use the gain G = 3/4 on the differences.",
+            "That is N(4, 3) fused with N(6, 2 + 1). Q is in its place, but N(6, 2) already contains the filter's N(4, 3), which now counts twice. Use the gain G = 3/4 on the differences.",
         ),
         "G not squared": (
             (5.5, 1.5),
@@ -89,12 +87,11 @@ from kflearn.exercises.engine import exercise
         ),
         "half way": (
             (5.0, 2.5),
-            "You took the middle of both beliefs. The gain says how far to go: G = P/P⁻ = 3/4.",
+            "That is the middle of N(4, 3) and N(6, 2). The gain says how far to go: G = P/P⁻ = 3/4.",
         ),
         "half way, variance of the next": (
             (5.0, 2.0),
-            "You went half way from 4 to 6. The gain says how far: G = P/P⁻ = 3/4; and the variance becomes 3 + "
-            "G² (2 − 4).",
+            "5 is half way from 4 to 6. The gain says how far: G = P/P⁻ = 3/4; and the variance becomes 3 + G² (2 − 4).",
         ),
         "gain of Q": (
             (4.5, 2.875),
@@ -114,8 +111,7 @@ from kflearn.exercises.engine import exercise
         ),
         "gain with the next variance": (
             (4 + 3 / 5 * 2, 3 + (3 / 5) ** 2 * -2),
-            "You fused P with the variance of the next step, 3/(3 + 2). The gain is P divided by the *predicted* "
-            "variance, 3/4.",
+            "That is right for a gain of 3/(3 + 2), with the variance of the next step. The gain is P divided by the *predicted* variance, 3/4.",
         ),
         "gain of two thirds": (
             (4 + 2 / 3 * 2, 3 - 4 / 9 * 2),
@@ -224,7 +220,7 @@ def count_once(x, P, x_back, P_back, z, R):
     hints=[
         "Divide the first printed error by the second. For the train of this lesson it was 0.443 m by 0.920 m.",
         "A straight line has the noise of the two readings at its ends. In which of the two records is this noise the larger part?",
-        "0.39 by 0.43 is about nine tenths: B.",
+        "0.39 by 0.43 is a little more than nine tenths: B.",
     ],
     wrong={
         "half": (
@@ -241,5 +237,5 @@ def count_once(x, P, x_back, P_back, z, R):
     then="Both errors contain the noise of the hidden readings, σ = 0.32 ppm, which no method can remove. Without it about 0.23 ppm are left for the smoother and 0.29 for the line: a fifth less. In six weeks the air changes nearly along a straight line.",
 )
 def real_gap():
-    """Smoother against a straight line in six hidden weeks of carbon dioxide: half, a tenth less, or more?"""
+    """Smoother against a straight line in six hidden weeks of carbon dioxide: half, a little smaller, or larger?"""
     return "B"

@@ -28,11 +28,11 @@ def image(degrees):
         ),
         "one sigma": (
             lambda: 2 / 3 * 100 + 1 / 3 * image(120),
-            "The weights are right, but your outer points sit at ±1σ. They sit at ±√scale σ, with scale = 3.",
+            "That is what the right weights make of outer points at ±1σ. They sit at ±√scale σ, with scale = 3.",
         ),
         "scale without its root": (
             lambda: 2 / 3 * 100 + 1 / 3 * image(180),
-            "That is the share of the centre alone. Either the outer points are left out, or they sit at ±3σ, where their image is 0: σ is stretched by the root of the scale, √3.",
+            "66.7 m is the share of the centre alone. Either the outer points are left out, or they sit at ±3σ, where their image is 0: σ is stretched by the root of the scale, √3.",
         ),
         "kappa forgotten": (
             lambda: image(120),
@@ -40,19 +40,19 @@ def image(degrees):
         ),
         "kappa as the scale": (
             lambda: 0.5 * 100 + 0.5 * image(90 + np.sqrt(2) * 30),
-            "You took κ = 2 for the scale. The scale is α²(n + κ) = 3.",
+            "That is right for a scale of 2, which is κ. The scale is α²(n + κ) = 3.",
         ),
         "equal weights": (
             lambda: (100 + 2 * image(90 + np.sqrt(3) * 30)) / 3,
-            "The points are right, but the weights are not equal: the centre has 1 − n/scale = 2/3, the others 1/6 each.",
+            "That is the plain mean of the three images. The weights are not equal: the centre has 1 − n/scale = 2/3, the others 1/6 each.",
         ),
         "one outer point": (
             lambda: 2 / 3 * 100 + 1 / 6 * image(90 + np.sqrt(3) * 30),
-            "One outer point is missing: your weights sum to 5/6.",
+            "That is the centre and one outer point with their weights, which sum to 5/6. There are two outer points.",
         ),
         "degrees for radians": (
             lambda: 2 / 3 * 100 * np.sin(90) + 100 / 6 * (np.sin(90 + np.sqrt(3) * 30) + np.sin(90 - np.sqrt(3) * 30)),
-            "Your sine takes radians, and you gave it degrees: `np.sin(np.radians(…))`.",
+            "That is what comes out if `np.sin` is given degrees. It takes radians: `np.sin(np.radians(…))`.",
         ),
         "the true mean": (
             lambda: 100 * np.exp(-(np.radians(30) ** 2) / 2),
@@ -60,11 +60,7 @@ def image(degrees):
         ),
         "weights not divided": (
             lambda: 100 + 2 * image(90 + np.sqrt(3) * 30),
-            "You added the three images without their weights: 2/3 for the centre, 1/6 for each of the others.",
-        ),
-        "along x": (
-            0.0,
-            "That is the mean along the x-axis, or a mean of differences. The y-axis was asked for: 100 sin θ.",
+            "That is the sum of the three images. Weigh them: 2/3 for the centre, 1/6 for each of the others.",
         ),
     }
     | MORE["three_points"]
@@ -95,12 +91,15 @@ def three_points():
             (-1, -1),
             "Right for α = 1. But α² multiplies n + κ: with α = ½ a larger κ must make up for it.",
         ),
-        "alpha not squared": ((-1, 2), "Right for α = 1. For α = ½ you divided by α; the scale holds α², a quarter."),
+        "alpha not squared": (
+            (-1, 2),
+            "Right for α = 1. For α = ½ your number is 3/α − 4; the scale holds α², a quarter.",
+        ),
         "n forgotten": ((3, 12), "Those are the values of n + κ. Take off n = 4."),
         "sign": ((1, -8), "Both signs are turned round: κ = 3/α² − n."),
         "lambda": (
             (-1, -3.25),
-            "Right for α = 1. For α = ½ you shrank 3 by α²; the declaration must be larger, 3/α² − n.",
+            "Right for α = 1. For α = ½ your number is 3α² − 4; the declaration must be larger, 3/α² − n.",
         ),
         "as declared": (
             (0, 0),
@@ -109,16 +108,15 @@ def three_points():
         "swapped": ((8, -1), "The two values have changed places: first for α = 1, then for α = ½."),
         "lambda for alpha one half": (
             (-1, -2.5),
-            "Right for α = 1. For α = ½ you multiplied 3 by α; it must be divided by α², because α²(n + κ) has to"
-            " be 3.",
+            "Right for α = 1. For α = ½ your number is 3α − 4; 3 must be divided by α², because α²(n + κ) has to be 3.",
         ),
         "alpha twice": (
             (-1, 12),
-            "Right for α = 1. For α = ½ you gave n + κ; take off n = 4.",
+            "Right for α = 1. For α = ½ 12 is n + κ; take off n = 4.",
         ),
         "alpha squared once more": (
             (-1, 44),
-            "Right for α = 1. For α = ½ you divided by α⁴; the declaration holds α².",
+            "Right for α = 1. For α = ½ your number is 3/α⁴ − 4; the declaration holds α².",
         ),
     }
     | MORE["declared_kappa"]
@@ -187,7 +185,7 @@ def columns(P):
         ),
         "rows for columns": (
             lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q)).T),
-            "You took the rows of the Cholesky root; the points go along its columns. Transpose it: `np.linalg.cholesky(…).T`.",
+            "Your points go along the rows of the (lower) Cholesky root; they go along its columns. Transpose it: `np.linalg.cholesky(…).T`.",
         ),
         "covariance for its root": (
             lambda mean, P, Q, scale: around(mean, scale * (P + Q)),
@@ -221,7 +219,7 @@ def columns(P):
         ),
         "scale divides": (
             lambda mean, P, Q, scale: around(mean, columns((P + Q) / scale)),
-            "You divided by the scale. It multiplies the covariance: the points lie √scale standard deviations away.",
+            "Those are the points of (P + Q)/scale. The scale multiplies the covariance: the points lie √scale standard deviations away.",
         ),
     }
     | MORE["redrawn"]
@@ -248,18 +246,18 @@ def redrawn(mean, P, Q, scale):
             6.0,
             "That would be an honest start, each component contributing 1. Here each contributes far less.",
         ),
-        "the wrong way": (2400.0, "You divided the claim by what is real. Divide Q by P₀."),
+        "the wrong way": (2400.0, "2400 is the sum of the ratios of claim to real variance. Divide Q by P₀."),
         "per state": (
             0.042 / 6,
             "That is the mean of the six ratios, to be compared with 1; their sum was asked for, to be compared with 6.",
         ),
         "with standard deviations": (
             lambda: 2 * (0.1 + 0.1 + np.sqrt(0.001)),
-            "You added ratios of standard deviations; eᵀP₀⁻¹e is made of squares, so take ratios of variances.",
+            "That is the sum of the ratios of standard deviations; eᵀP₀⁻¹e is made of squares, so take ratios of variances.",
         ),
         "squared twice": (
             2 * (1e-4 + 1e-4 + 1e-6),
-            "You squared the ratios, but Q and P₀ hold variances already.",
+            "That is the sum of the squared ratios, but Q and P₀ hold variances already.",
         ),
         "position only": (0.02, "That is the position's share; velocity and acceleration belong to it too."),
         "one axis": (0.021, "That is one axis, x or y; each entry stands twice on the diagonal."),

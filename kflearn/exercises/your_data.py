@@ -27,8 +27,7 @@ LOW, HIGH = chi_square_interval(1, 40)
     wrong={
         "multiplied": (
             (0.09 * LOW, 0.09 * HIGH),
-            "You multiplied. The chi-square number is sample variance / R, so R = 0.09 / number, and large numbers give "
-            "the lower limit.",
+            "That is 0.09 times the chi-square numbers. They are sample variance / R, so R = 0.09 / number, and large numbers give the lower limit.",
         ),
         "ends swapped": ((0.09 / LOW, 0.09 / HIGH), "The two are right; hand in the lower limit first."),
         "41 degrees": (
@@ -41,7 +40,7 @@ LOW, HIGH = chi_square_interval(1, 40)
         ),
         "σ taken for σ²": (
             lambda: tuple(0.3 / end for end in (HIGH, LOW)),
-            "You put in the standard deviation, 0.3 m. 0.09 m² is the variance already.",
+            "That is right for 0.3, the standard deviation in m. 0.09 m² is the variance already.",
         ),
         "limits of one reading": (
             lambda: tuple(0.09 / end for end in chi_square_interval(1, 1)[::-1]),
@@ -64,7 +63,7 @@ LOW, HIGH = chi_square_interval(1, 40)
         ),
         "two columns": (
             lambda: tuple(0.09 / end for end in chi_square_interval(2, 40)[::-1]),
-            "You reckoned with two columns. Here it is one: `chi_square_interval(1, 40)`.",
+            "That is what `chi_square_interval(2, 40)` gives, for two columns. Here it is one: `chi_square_interval(1, 40)`.",
         ),
         "eighty": (
             lambda: tuple(0.09 / end for end in chi_square_interval(1, 80)[::-1]),
@@ -91,7 +90,7 @@ LOW, HIGH = chi_square_interval(1, 40)
         ),
         "41 in the numerator": (
             lambda: tuple(0.09 * 41 / 40 / end for end in (HIGH, LOW)),
-            "You multiplied by 41. The sample variance is the sum of squares by 40 already: 0.09 · 40 is that sum.",
+            "That is 41/40 of the right limits. The sample variance is the sum of squares by 40 already: 0.09 · 40 is that sum.",
         ),
         "chi-square itself": (
             (40 * LOW, 40 * HIGH),
@@ -130,8 +129,11 @@ def interval_of_R():
         "`0.1 / 1000**3`",
     ],
     wrong={
-        "÷ 1000": (1e-4, "You divided by 1000 once. The unit of q is m²/s³: the time stands there three times."),
-        "÷ 1000²": (1e-7, "You divided by 1000². The unit of q is m²/s³: the time stands there once more."),
+        "÷ 1000": (
+            1e-4,
+            "That is 0.1 divided by 1000 once. The unit of q is m²/s³: the time stands there three times.",
+        ),
+        "÷ 1000²": (1e-7, "That is 0.1 divided by 1000². The unit of q is m²/s³: the time stands there once more."),
         "times": (1e8, "The wrong way round: the steps have become longer, so the variance a second has to shrink."),
         "unchanged": (
             0.1,
@@ -139,25 +141,23 @@ def interval_of_R():
         ),
         "√": (
             lambda: 0.1 / 1000**1.5,
-            "You scaled a standard deviation. q is a variance a time, m²/s³: divide by 1000³.",
+            "That is 0.1 divided by 1000^1.5, as for a standard deviation. q is a variance a time, m²/s³: divide by 1000³.",
         ),
         "times 1000": (
             100.0,
-            "You multiplied by 1000. The steps have become longer, so q has to shrink; and the time stands three "
-            "times in m²/s³.",
+            "That is 0.1 times 1000. The steps have become longer, so q has to shrink; and the time stands three times in m²/s³.",
         ),
         "times 1000²": (
             1e5,
-            "You multiplied by 1000². The steps have become longer, so q has to shrink; and the time stands three"
-            " times in m²/s³.",
+            "That is 0.1 times 1000². The steps have become longer, so q has to shrink; and the time stands three times in m²/s³.",
         ),
         "root of 1000": (
             0.1 / 1000**0.5,
-            "You divided by √1000. Look at the unit of q, m²/s³: divide by 1000 for each of the three times.",
+            "That is 0.1 divided by √1000. Look at the unit of q, m²/s³: divide by 1000 for each of the three times.",
         ),
         "÷ 1000⁴": (
             1e-13,
-            "You divided by 1000⁴. The unit of q is m²/s³: three times, not four.",
+            "That is 0.1 divided by 1000⁴. The unit of q is m²/s³: three times, not four.",
         ),
         "÷ 10⁷": (
             1e-8,

@@ -68,14 +68,14 @@ RIGHT = [
 ]
 ANSWERS = [
     ("ball_in_a_video.coast", lambda x, P, F, push, Q: (F @ x + push, 1e4 * np.eye(len(x))), "threw P away"),
-    ("ball_in_a_video.first_velocity", lambda p, s, R, y: s * y / (p + s + R**2), "squared R"),
+    ("ball_in_a_video.first_velocity", lambda p, s, R, y: s * y / (p + s + R**2), "right for R²"),
     ("error_state_navigation.all_bias", (1 / 0.94 - 1) * 450, "what the sensor shows"),
     ("error_state_navigation.goes_back", [2, 4], "places of two states"),
     ("error_state_navigation.goes_back", [1, 0, 1, 0, 1], "F does not depend on them"),
     ("error_state_navigation.goes_back", [True, False, False, False, False], "Two are missing"),
     ("consider_filter.inflated", 10.092, "memory of the bias"),
     ("consider_filter.first_covariance", [[0.95, -0.76], [-0.76, 1]], "rounded too much: give three digits"),
-    ("consider_filter.first_covariance", [[0.952, 0], [0, 0]], "set the variance of the bias to zero"),
+    ("consider_filter.first_covariance", [[0.952, 0], [0, 0]], "Here the variance of the bias is zero"),
     ("consider_filter.late_row", of_size_three, "You wrote the size 3"),
     ("consider_filter.economical", blocks(lambda C, F, fading, q: fading * F @ C @ F.T), "F stands in C once"),
     ("consider_filter.economical", blocks(lambda C, F, fading, q: fading * F @ C + q), "C gets no noise"),

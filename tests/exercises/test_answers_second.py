@@ -196,7 +196,7 @@ ANSWERS = [
     ("let_the_data_choose.fitted_R", search(log=2), "also to log 2πS"),
     ("let_the_data_choose.fitted_R", search(log=0), "Is log 2πS in the sum?"),
     ("let_the_data_choose.fitted_R", search(nis=0), "Is y²/S in the sum?"),
-    ("let_the_data_choose.fitted_R", lambda z, Q: _fitted_R.WRONG["Q fitted too"][0](z, Q), "fitted Q as well"),
+    ("let_the_data_choose.fitted_R", lambda z, Q: _fitted_R.WRONG["Q fitted too"][0](z, Q), "if Q is fitted as well"),
     (
         "let_the_data_choose.fitted_R",
         written(NOTEBOOK_Z, z=np.arange(50.0)),

@@ -68,7 +68,7 @@ ANSWERS = [
     ("extended.mended_prediction", lambda x, P, u: (x, P * u), "wrong", ""),
     ("bearings_only.mended_bearing", quarter_turns, "wrong", "Without `abs`"),
     ("smoothing.step_back", no_Q_in_the_gain, "wrong", "Your gain is F⁻¹"),
-    ("smoothing.one_step_back", (6, 1), "wrong", "You took G = 1"),
+    ("smoothing.one_step_back", (6, 1), "wrong", "right for G = 1"),
     ("smoothing.smoothed_cov", lambda P, B: 1 / (1 / P + 1 / B), "wrong", "entry by entry"),
     ("consider_filter.late_row", row_put_back, "wrong", "as they were before the reading"),
     ("consider_filter.inflated", 0.55, "wrong", "by its standard deviation"),
