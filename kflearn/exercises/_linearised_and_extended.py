@@ -54,7 +54,7 @@ WRONG = {
         ),
         "measured": (
             measured,
-            "That is the central difference. It is right to some eight digits, which is enough to find the slip. Now write the formula.",
+            "That is the central difference. It is right to nine or ten digits, which is enough to find the slip. Now write the formula.",
         ),
         "as claimed": (
             lambda x: radar_slope(x, sign=1),
