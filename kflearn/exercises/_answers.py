@@ -42,7 +42,7 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=Tru
     str or None
         A sentence without its capital letter; None if nothing is wrong.
     """
-    if by_hand and isinstance(answer, dict) and (parts(right) or np.ndim(right)):  # figures under their names
+    if isinstance(answer, dict) and _may_have_names(right, by_hand):
         answer = list(answer.values())
     if wanted := parts(right):
         return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand)
@@ -71,6 +71,11 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=Tru
     if not verdict and right.size > 1:
         verdict = f"differs in {(~good).sum()} of {right.size} entries: {list(at)} is {direction}"
     return f"{subject} {verdict or f'is {direction}'}."
+
+
+def _may_have_names(right, by_hand):
+    """May a dictionary be handed in: for values that were typed, or for the rows of a matrix?"""
+    return bool(by_hand) if parts(right) else np.ndim(right) > (0 if by_hand else 1)
 
 
 def _fault_in_truth(given, right, subject):

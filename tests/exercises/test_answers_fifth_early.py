@@ -8,7 +8,7 @@ from kflearn.exercises import _radar as radar
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises._slips_fifth_early import WRONG
 from kflearn.exercises.engine import exercise
-from tests.exercises.hand_in import asked, assert_told
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 HOMES = {
     "predict_correct": "speedometer",
@@ -246,3 +246,12 @@ def bearing_in(convert):
 )
 def test_what_is_an_angle_in_the_radar(answer, words):
     assert_told("linearised_and_extended.range_and_bearing", answer, words)
+
+
+def test_rows_under_their_names_are_taken_where_the_lesson_says_so():
+    def figures(error):
+        rows = {"position": error[..., :3], "velocity": error[..., 3:6], "acceleration": error[..., 6:]}
+        return {name: np.sqrt(np.mean(np.sum(row**2, axis=-1), axis=0)) for name, row in rows.items()}
+
+    assert_right("homing_missile.figures", figures)
+    assert asked("homing_missile.figures").check(lambda error: figures(2 * error)).status != "right"
