@@ -8,8 +8,8 @@ Examples
 --------
 >>> from kflearn import homing
 >>> flight = homing.fly(runs=2, rng=0)
->>> print(flight.x.shape, f"{flight.miss.max():.1f} m")
-(2, 366, 9) 21.9 m
+>>> print(flight.x.shape, f"{flight.left.max():.1f} m away at the end, miss {flight.miss.max():.1f} m")
+(2, 366, 9) 21.9 m away at the end, miss 0.0 m
 """
 
 from typing import NamedTuple
@@ -110,6 +110,18 @@ def place(z, distance) -> np.ndarray:
     return distance[..., None] * np.stack(direction, axis=-1)
 
 
+def miss(x) -> np.ndarray:
+    """How near each missile would pass its target if nobody accelerated any more: (...) in metres, for (..., T, 9).
+
+    From the step with the smallest distance on. The flights end before the planned impact, with many missiles still
+    on their way; the distance at that moment says how late one is, and not how wide.
+    """
+    nearest = np.linalg.norm(x[..., :3], axis=-1).argmin(axis=-1)[..., None, None]
+    now = np.take_along_axis(x, nearest, axis=-2)[..., 0, :]
+    r, v = now[..., :3], now[..., 3:6]
+    return np.linalg.norm(np.cross(r, v), axis=-1) / np.linalg.norm(v, axis=-1)
+
+
 def unseen(belief) -> np.ndarray:
     """What a tangent does not see of the angles: σ² along the line of sight times σ² across it, over d⁴.
 
@@ -165,9 +177,19 @@ class Flight(NamedTuple):
         return np.linalg.norm((self.mean - self.x)[..., :3], axis=-1)
 
     @property
+    def left(self) -> np.ndarray:
+        """Distance between missile and target after the last step, (runs,), in metres."""
+        return np.linalg.norm(self.x[:, -1, :3], axis=-1)
+
+    @property
+    def nearest(self) -> np.ndarray:
+        """Time of the step with the smallest distance, (runs,), in s."""
+        return DT * (np.linalg.norm(self.x[..., :3], axis=-1).argmin(axis=-1) + 1)
+
+    @property
     def miss(self) -> np.ndarray:
-        """The smallest distance of each missile from its target at the end of a step, (runs,), in metres."""
-        return np.linalg.norm(self.x[..., :3], axis=-1).min(axis=-1)
+        """How near each missile would pass if nobody accelerated any more, (runs,), in metres: see `miss`."""
+        return miss(self.x)
 
 
 def fly(

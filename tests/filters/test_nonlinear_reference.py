@@ -272,11 +272,11 @@ def test_missile_figures(how, published):
             within(found.mean(), expected, found.std() + 0.3, runs=50, published_runs=50)
 
 
-def test_missile_guided_by_its_estimate_misses():
+def test_missile_guided_by_its_estimate_comes_late():
     flight = homing.fly(50, 0, steered_by="estimate", told="applied")
-    assert abs(flight.miss.mean() - 493) < 2 * flight.miss.std() * np.sqrt(2 / 50) + 1
+    assert abs(flight.left.mean() - 493) < 2 * flight.left.std() * np.sqrt(2 / 50) + 1
     np.testing.assert_array_equal(flight.applied, flight.told)
-    assert homing.fly(5, 0).miss.mean() < 25  # guided by the truth: one step before the impact
+    assert homing.fly(5, 0).left.mean() < 25  # guided by the truth: 0.02 s before the impact
 
 
 def test_missile_speed():
