@@ -166,7 +166,7 @@ WRONG = {
         ),
         "√P0 as it is": (
             lambda mean, P0, normal: mean + normal * np.sqrt(P0),
-            "`np.sqrt(P0)` is a matrix, (4, 4), and `*` multiplies entry by entry. Take the four variances off the diagonal first.",
+            "`np.sqrt(P0)` is a matrix, (4, 4), and each run is a row of `normal`: take the four variances off the diagonal first, or `normal @ np.sqrt(P0)`.",
             r"sqrt\(P0\)|cholesky\(P0\)",
         ),
         "one σ for all": (
