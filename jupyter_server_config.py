@@ -3,9 +3,9 @@ else, the token included, stays as it is.
 
 `make course` and the class server put this folder in front of the places where Jupyter looks for its configuration
 (JUPYTER_CONFIG_PATH). So JupyterLab also finds the folder labconfig beside this file. Its page_config.json switches off
-what a learner should not meet: nbgrader's button, menu and side bar, and the pop-up that asks about news of Jupyter;
-and the icon of the browser's tab that shows a busy kernel: JupyterLab fetches it anew from the server for each move of a
-slider, while the picture waits.
+what a learner should not meet: nbgrader's button, menu and side bar, and the pop-up that asks about news of Jupyter. It
+also switches off the icon of the browser's tab that shows a busy kernel: JupyterLab fetches it anew from the server for
+each move of a slider, while the picture waits.
 With default_setting_overrides.json a double click on a text, such as the cheat sheet, shows it with its formulas.
 
 Sliders: as Jupyter comes, the system holds back each small message to the browser until the one before is acknowledged

