@@ -146,9 +146,9 @@ def once_each(told):
 
 
 def of_a_dictionary(exercise, results, rights) -> str | None:
-    """What is said of results in dictionaries, where several values are wanted; else None."""
+    """What is said of results in dictionaries, where several values are wanted; else, or of rows, None."""
     several = bool(parts(rights[0]))
-    if not any(isinstance(result, dict) for result in results) or not (several or np.ndim(rights[0])):
+    if not any(isinstance(result, dict) for result in results) or not (several or np.ndim(rights[0]) == 1):
         return None
     flat = [list(result.values()) if isinstance(result, dict) else result for result in results]
     good = not any(exercise._compare(*pair) for pair in zip(flat, rights, strict=True))

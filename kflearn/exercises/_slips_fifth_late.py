@@ -226,6 +226,10 @@ WRONG = {
         ),
     },
     "start_sigma": {
+        "the factor": (
+            np.sqrt(34.16 / 3),
+            "3.37 is √(34.16/3), the factor by which σ must be larger. What is asked is σ itself, 100 m times that.",
+        ),
         "34.16 upside down": (
             100 * np.sqrt(3 / 34.16),
             "29.6 m is 100 m times √(3/34). A smaller σ makes the NEES larger: times √(34/3).",

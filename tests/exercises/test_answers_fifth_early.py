@@ -254,4 +254,7 @@ def test_rows_under_their_names_are_taken_where_the_lesson_says_so():
         return {name: np.sqrt(np.mean(np.sum(row**2, axis=-1), axis=0)) for name, row in rows.items()}
 
     assert_right("homing_missile.figures", figures)
-    assert asked("homing_missile.figures").check(lambda error: figures(2 * error)).status != "right"
+    assert_told(
+        "homing_missile.figures", lambda error: figures(error) | {"acceleration": figures(error)["velocity"]}, "third"
+    )
+    assert_told("homing_missile.start_sigma", 3.37, "the factor by which")
