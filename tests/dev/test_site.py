@@ -52,7 +52,8 @@ def test_everything_referred_to_is_there(site, pages):
 def test_nothing_is_loaded_from_elsewhere(site, pages):
     for name, page in pages.items():
         for part in page.parts:
-            assert not urlsplit(part).scheme and not part.startswith("//"), f"{name} loads {part}"
+            is_here = urlsplit(part).scheme in ("", "data") and not part.startswith("//")
+            assert is_here, f"{name} loads {part}"
     for style in site.rglob("*.css"):
         text = style.read_text(encoding="utf-8")
         for address in re.findall(r"url\(([^)]*)\)|@import\s+([^;]*);", text):
