@@ -23,7 +23,8 @@ from dev.lab import CHROMIUM, ROOT, Lab, browser, notebook, server
 
 OLD = "c9f65fa"  # the last commit before pictures were drawn in the browser
 PLAIN, LIVE, SLOW = "interact with pyplot", "playground", "playground, without jupyter_server_config.py"
-BEFORE = f"playground of {OLD}"
+BEFORE = f"playground of {OLD}"  # as a learner had it: with the configuration of Jupyter of that commit
+NEWER = f"{BEFORE}, today's jupyter_server_config.py"
 SHARE, MOVES = (
     -0.45,
     40,
@@ -135,9 +136,9 @@ def measure(lab, keys=8):
 
 @contextmanager
 def old_package():
-    """A folder with the package of the commit OLD; None where git does not know it."""
+    """A folder with the package of the commit OLD and its configuration of Jupyter; None where git does not know it."""
     with tempfile.TemporaryDirectory() as folder:
-        command = ["git", "archive", "--format=tar", OLD, "kflearn"]
+        command = ["git", "archive", "--format=tar", OLD, "kflearn", "jupyter_server_config.py"]
         found = subprocess.run(command, cwd=ROOT, capture_output=True)
         if found.returncode == 0:
             with tarfile.open(fileobj=io.BytesIO(found.stdout)) as files:
@@ -151,12 +152,14 @@ def race(rounds=5):
         for name in ("ours.ipynb", "slow.ipynb"):  # a file for each: JupyterLab asks when another one has saved it
             notebook(Path(folder, name), FILTER, OURS)
         notebook(Path(folder, "plain.ipynb"), FILTER, INTERACT)
-        notebook(Path(folder, "old.ipynb"), FILTER, OURS.replace("kflearn.ui", "kflearn.playground"))
         url, slow = stack.enter_context(server(folder)), stack.enter_context(server(folder, config=None))
         labs = {PLAIN: Lab(chromium, url, "plain.ipynb"), LIVE: Lab(chromium, url, "ours.ipynb")}
         labs[SLOW] = Lab(chromium, slow, "slow.ipynb")
         if package := stack.enter_context(old_package()):
-            labs[BEFORE] = Lab(chromium, stack.enter_context(server(folder, package=package)), "old.ipynb")
+            for name, file, config in ((BEFORE, "old.ipynb", package), (NEWER, "newer.ipynb", ROOT)):
+                notebook(Path(folder, file), FILTER, OURS.replace("kflearn.ui", "kflearn.playground"))
+                url = stack.enter_context(server(folder, config=config, package=package))
+                labs[name] = Lab(chromium, url, file)
         for lab in labs.values():
             lab.page.bring_to_front()
             lab.run_all()
