@@ -121,7 +121,7 @@ def no_gate(answer, answers, recordings):
 def alone(answer, answers, recordings):
     """Of two readings only the nearer one counts, or both count alike."""
     both, near, far, mean = (pulled(answer, *last) for last in ((4.0, -10.0), (4.0,), (-10.0,), (-3.0,)))
-    if abs(far) < 0.1:  # it is outside the gate
+    if abs(far) < 0.1 or near < 0:  # it is outside the gate; or the boat moves away, which `stiff` says
         return None
     two = "Of two readings in the gate, 4 m east and 10 m west of where the boat should be,"
     if abs(both - near) < 1e-6:

@@ -12,7 +12,7 @@ ALIKE = [
 ]
 LETTER = re.compile(
     r"(?:option|answer|choice|reviewer|letter)? *\(?([a-z])\)?(?: (?:is|has it|was) ?(?:right|correct)?)?"
-    r"|\(?([a-z])[).:] +(?!and\b|or\b)(?=.*[a-z]{4})[^()]+"
+    r"|\(?(?:([a-z])[).:]|([b-z])) +(?!and\b|or\b)(?=.*[a-z]{4})[^()]+"  # "a" alone may be the article
 )
 
 
@@ -23,13 +23,16 @@ def plain(text, choices) -> str:
     --------
     >>> plain("(D) Nothing is wrong.", {"a", "d"}), plain("The LKF", {"lkf", "ekf"}), plain("bigger", {"larger"})
     ('d', 'lkf', 'larger')
+    >>> plain("D nothing is wrong", {"a", "d"})
+    'd'
     """
     whole = re.sub(r"^the +", "", text.strip(" .!()'\"“”").casefold())
     if whole in choices:
         return whole
     letter = LETTER.fullmatch(text.strip(" .!'\"“”").casefold())
-    if letter and (letter[1] or letter[2]) in choices:
-        return letter[1] or letter[2]
+    named = next(filter(None, letter.groups()), None) if letter else None
+    if named in choices:
+        return named
     alike = set().union(*(group & set(choices) for group in ALIKE if whole in group))
     return alike.pop() if len(alike) == 1 else whole
 

@@ -71,7 +71,7 @@ FACTS = [
     ("your_data.interval_of_R", (0.07, 0.12), "At 95 % both are 2.5 %"),
     ("your_data.milliseconds_for_seconds", 3e-10, "becomes 3 times what it was"),
     ("history.newest_ten", 0.7, "That leaves 0.3 to the readings older"),
-    ("history.behind", 2.0, "the reading leaves 1.79 s"),
+    ("history.behind", 2.0, "the reading leaves 1.792 s"),
     ("history.behind", np.inf, "It does not grow for ever"),
 ]  # fmt: skip
 

@@ -168,7 +168,7 @@ OPEN = [
     ("your_data.ride", lambda time, z, q: ride.follow(time, z, 2 * q), "grows by 2 times the Q that belongs there"),
     ("your_data.ride", cut_off, "your state moves on for 3 s"),
     ("adaptive.unknown_sensor", learnt_Q, "Q is given, and right; what changes is the sensor: learn R"),
-    ("adaptive.unknown_sensor", rooted_R, "is it the root of a negative number"),
+    ("adaptive.unknown_sensor", rooted_R, "or a root, stand in place of a variance"),
     ("adaptive.unknown_sensor", capped, "a limit holds it"),
     ("whose_is_it.boat", tracker(nearest, np.inf), "200 m from where the boat must be moves your boat"),
     ("whose_is_it.boat", tracker(nearest), "only the nearer one moves your boat"),
@@ -185,7 +185,6 @@ OPEN = [
     ("when_was_it.live", inflated, "It goes wrong with the rows that arrive late"),
     ("ball_in_a_video.thrown_ball", lambda *given: ball.follow(*given, gate=400), "the detections of something else"),
     (RADAR, wide_R, "R were diag(100, 0.0004)"),
-    (RADAR, lambda z, mean, cov: radar.extended(z, mean, 9 * cov), "the first one is not"),
 ]
 
 
