@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises import _scenes
 from kflearn.exercises._a_stream import named
 from kflearn.exercises._a_stream_seen import all_rows, corrected_right, learnt, predicted_right, scenes
+from kflearn.exercises._inside import predictions
 from kflearn.exercises._judge import pair
 
 
@@ -127,6 +128,16 @@ def not_predicted(answer, answers, recordings):
     )
 
 
+NOT_YET_USED = (
+    "What you return for a row does not depend on the reading of that row, only on those before it. The reading of a row has arrived at its "
+    "`now`: use it first, then predict to `now`."
+)
+STEP_BACK = (
+    "Is one of your steps negative? After a late reading, use the younger ones in the order of their t; a step back makes Q negative. "
+    "Or does a correction take off too much of P?"
+)
+
+
 def seen(check, *words):
     """A sign from a check of scenes."""
     return lambda answer, answers, recordings: check(scenes(answers, recordings), "rows", *words)
@@ -135,7 +146,8 @@ def seen(check, *words):
 SIGNS = [
     named,
     ahead,
-    seen(_scenes.negative),
+    seen(_scenes.negative, STEP_BACK),
+    predictions(2, NOT_YET_USED),
     moved,
     seen(_scenes.predicted),
     seen(_scenes.rooted),

@@ -9,7 +9,7 @@ import textwrap
 
 import numpy as np
 
-from kflearn.exercises._words import plain
+from kflearn.exercises._words import plain, without_names
 
 ENTRIES_SHOWN = 12  # a larger array is named by its shape
 
@@ -42,15 +42,15 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=Tru
     str or None
         A sentence without its capital letter; None if nothing is wrong.
     """
-    if isinstance(answer, dict) and _may_have_names(right, by_hand):
-        answer = list(answer.values())
+    named = isinstance(answer, dict) and _may_have_names(right, by_hand)
+    answer = list(answer.values()) if named else answer
     if wanted := parts(right):
         return _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand)
     right = np.asarray(right)
     try:
         given = _numbers(_in_a_row(answer, right) if by_hand else answer, right)
     except Misfit as instead:
-        return f"{subject} should be {_form(right.shape)}, but it is {instead}."
+        return f"{subject} should be {_form(right.shape, right.dtype.kind)}, but it is {without_names(right) if named else instead}."
 
     if right.dtype == bool and right.ndim == 0 and reveal:
         return _fault_in_truth(given, right, subject)
@@ -132,7 +132,7 @@ def _numbers(answer, right):
     """The answer as an array of the form of `right`; a Misfit says what it is instead."""
     kind = type(answer).__name__
     if answer is None or isinstance(answer, (str, bytes)):
-        raise Misfit("None" if answer is None else f"text (of type {kind}): {_of_text(answer)}")
+        raise Misfit("None" if answer is None else f"text (of type {kind}): {_of_text(answer, right)}")
     if callable(answer):
         raise Misfit("a function: call it and hand in what it returns")
     if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
@@ -161,9 +161,13 @@ def _numbers(answer, right):
     return array
 
 
-def _of_text(answer):
-    """What to do with a text that is handed in for a number."""
+def _of_text(answer, right):
+    """What to do with a text that is handed in for a number, or for True or False."""
     words = answer if isinstance(answer, str) else ""
+    if right.dtype == bool:
+        return "write True or False, without quotation marks"
+    if not right.ndim and re.fullmatch(r" *[+-]?\d+,\d+ *", words):
+        return "leave out the quotation marks, and write a point in place of the comma"
     if re.fullmatch(r"[\d\s.,e+()\[\]*/-]*", words):
         return "leave out the quotation marks"
     return "write it without quotation marks, words and units"
@@ -279,8 +283,9 @@ def show(value, digits=4) -> str:
     return str(array) if array.dtype == bool else f"{array.item() + 0:.{digits}g}"  # + 0 turns -0 into 0
 
 
-def _form(shape):
-    return f"an array of shape {shape}" if shape else "one number"
+def _form(shape, kind="f"):
+    single = "True or False" if kind == "b" else "one number"
+    return f"an array of shape {shape}" if shape else single
 
 
 def _count(number, noun):

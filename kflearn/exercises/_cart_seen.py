@@ -5,6 +5,7 @@ from itertools import starmap
 import numpy as np
 
 from kflearn.exercises._cart_with_gaps import motion, run
+from kflearn.exercises._inside import predictions
 from kflearn.exercises._judge import Likely, pair
 
 
@@ -187,6 +188,20 @@ def of_the_corrections(answers, recordings):
         "In the gaps P grows as it should, and it begins as it should. Look at the corrections: K = P[:, 0] / (P[0, 0] + sigma²) is "
         "formed of the predicted P, and it is used for the mean and for P."
     )
+
+
+BEFORE = "At reading k you return the belief *before* reading k is used. Your filter itself is right: append x and P after the correction."
+
+
+def before(answer, answers, recordings):
+    """A sign: the beliefs before the readings are returned; of the right filter, or of another one."""
+    for found, ((z, dt, sd, sigma), _) in zip(answers, recordings, strict=True):
+        F, Q = motion(dt, sd)
+        mean, cov = run(z, F, Q, sigma**2, np.array([z[0], 0]), np.diag([sigma**2, 9.0]))
+        mean[1:], cov[1:] = mean[:-1] @ F.T, F @ cov[:-1] @ F.T + Q
+        if not (np.allclose(pair(found)[0], mean, atol=1e-6) and np.allclose(pair(found)[1], cov, rtol=1e-5)):
+            return predictions()(answer, answers, recordings)
+    return BEFORE
 
 
 def named(answers, recordings):

@@ -55,7 +55,11 @@ def explained(exercise, answer, results, rights, faults) -> str:
     lead = lead or _not_a_number(results, rights, cases) or _of_matrices(answer, cases, good, names)
     lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
     if not lead:
-        return " ".join(filter(None, [words, _placed(results, rights, close), _rules.share(good, cases)]))
+        placed = _placed(results, rights, close)
+        if placed:  # the trial in which the most entries differ
+            most = max(range(len(cases)), key=lambda i: _count_wrong(results[i], rights[i], close))
+            words = f"for `{exercise._called(cases[most])}` {faults[most]}"
+        return " ".join(filter(None, [words, placed, _rules.share(good, cases)]))
     return f"{lead} {words[0].upper()}{words[1:]}"
 
 
@@ -138,10 +142,11 @@ def _of_matrices(answer, cases, good, names):
     alike = [names[i] for i in found if [np.size(case[i]) == 1 for case in cases] == good]
     if not alike or not any(good):
         return ""
-    lead = f"That is right only where {alike[-1]} holds a single number."
+    several = f"{' and '.join(alike)} hold a single number each" if alike[1:] else f"{alike[0]} holds a single number"
+    lead = f"In the trials that is right only where {several}."
     if _code_of.has(answer, r"\b1(\.0?)? */ *[\w(]|\*\* *\(?-1|reciprocal|power\("):
-        name = _turned_over(answer, names) or "S"
-        lead = lead.replace(f"only where {alike[-1]} ", f"only where {name if name in alike else alike[-1]} ")
+        name = _turned_over(answer, names) or "…"  # no letter that the learner does not have
+        lead = f"In the trials that is right only where {name} holds a single number." if name in alike else lead
         sign = f"`1 / {name}`" if _code_of.has(answer, r"\b1(\.0?)? */") else f"`{name}**-1`"
         return f"{lead} {sign} turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
     if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
@@ -156,7 +161,11 @@ def _turned_over(answer, names):
     )
     found = found or re.search(r"([A-Za-z_]\w*) *\*\* *\(?-1", _code_of.text_of(answer) or "")
     own = dict(zip(_code_of.parameters(answer, names), names, strict=True))
-    return found and own.get(found[1], found[1])
+    if found:
+        return own.get(found[1], found[1])
+    line = re.search(r"\b1(?:\.0?)? */ *(.*)", _code_of.text_of(answer) or "")  # the only argument behind the stroke
+    behind = {word for word in re.findall(r"[A-Za-z_]\w*", line[1]) if word in own} if line else set()
+    return own[behind.pop()] if len(behind) == 1 else None
 
 
 def _size(results, rights, cases):
@@ -186,6 +195,14 @@ def _placed(results, rights, close):
         name = f"value {i + 1} of the result" if count > 1 else "the result"
         said.append(_entries(name, [row[i] for row in rows], [right[i] for right in wanted], close, count > 1))
     return " ".join(filter(None, said))
+
+
+def _count_wrong(result, right, close):
+    """How many numbers of a result differ from those wanted."""
+    wanted = list(parts(right).values()) or [right]
+    row = _rules.row(result, len(wanted)) if parts(right) else [result]
+    pairs = [(np.ravel(one), np.ravel(other)) for one, other in zip(row, wanted, strict=True)]
+    return sum(not close(a, b) for one, other in pairs for a, b in zip(one, other, strict=False))
 
 
 def _entries(name, mine, theirs, close, several):

@@ -49,6 +49,11 @@ WRONG = {
         lambda z, Q: max((np.nanmean(np.diff(z) ** 2) - Q) / 2, 0),
         "A fair estimate: right on average, but it scatters more than need be. Maximise the likelihood.",
     ),
+    "differences over the gaps too": (
+        lambda z, Q: max((np.var(np.diff(z[~np.isnan(z)])) - Q) / 2, 0),
+        "That is half of the variance of the differences, less Q, with the gaps left out. Over a gap the walk makes more than one step, and so "
+        "has more than one Q. And differences are not the most probable R: use the likelihood, and leave NaN in.",
+    ),
     "σ": (
         lambda z, Q: np.sqrt(best(z, Q)),
         "That is σ. Its square, the variance R, was asked for.",
@@ -135,5 +140,5 @@ def of_all(results, rights):
     low, high = np.min(results / rights), np.max(results / rights)
     return (
         f"Your R is {low:.2g} to {high:.2g} times the most probable one in the trials. Print the log-likelihood at yours and at its neighbours, for "
-        "readings of your own: where is it largest?"
+        "readings of your own: where is it largest? Does each reading add both parts, log 2πS and y²/S?"
     )

@@ -4,6 +4,7 @@ A step without a reading shows what the filter adds to x and to P; a step with o
 where the reading is refused. All this holds for a filter, and not for a smoother: a sign speaks of exact matches only.
 """
 
+import copy
 import itertools
 
 import numpy as np
@@ -44,9 +45,9 @@ def predictions(z_at=0, words=None):
         whole, changed = inputs[z_at], []
         there = np.flatnonzero(~np.isnan(whole.reshape(len(whole), -1)).any(axis=1))
         for k in there[[len(there) * part // 10 for part in (6, 7, 8)]]:
-            z = whole.copy()
-            z[k] = np.nan
-            again = pair(answer(*inputs[:z_at], z, *inputs[z_at + 1 :]))[0]
+            given = copy.deepcopy(inputs)
+            given[z_at][k] = np.nan
+            again = pair(answer(*given))[0]
             changed.append([not np.allclose(again[k:][i], mean[k:][i], rtol=1e-9) for i in (0, 1)])
         at, later = np.array(changed).T
         return words or PREDICTIONS if later.any() and not at.any() else None
@@ -56,7 +57,7 @@ def predictions(z_at=0, words=None):
 
 PREDICTIONS = (
     "What you return for a step does not depend on the reading of that step, only on those before it: these are the "
-    "predictions. Store x and P after the correction."
+    "predictions. Store x and P after the correction, which uses the reading of the same step."
 )
 
 

@@ -189,8 +189,10 @@ class OpenExercise(Exercise):
         """What is said of results that hold NaN: nothing else is judged then."""
         for recording, answer in enumerate(answers, 1):
             if (at := first_endless(answer)) is not None:
-                where = f"For recording {recording} the result is not finite at reading {at + 1}"
-                return f"{where}{of_gaps(self.recordings[recording - 1][0], at)} Nothing else is judged yet."
+                inputs = self.recordings[recording - 1][0]
+                what = "scan" if any(np.ndim(part) == 3 for part in inputs) else "reading"
+                where = f"For recording {recording} the result is not finite at {what} {at + 1}"
+                return f"{where}{of_gaps(inputs, at)} Nothing else is judged yet."
         return f"The {mark.name} is not finite: is a variance zero? Nothing else is judged yet."
 
     def _answer(self):

@@ -181,7 +181,7 @@ class ChoiceExercise(ValueExercise):
         if not given or not (self.lines or given <= self.choices):
             return f"{not_there(answer, self.choices)}choose from {self._listed(self.choices)}."
         if len(given) > 1 and len(chosen(self.right)) == 1 and not self.lines:
-            return one_of(given, chosen(self.right), self.choices)
+            return one_of(given, chosen(self.right), self.choices, self.wrong)
         if len(given) > max(3, len(self.choices) // 2):
             return "these are too many: choose."
         if stray := given - right:
@@ -190,7 +190,7 @@ class ChoiceExercise(ValueExercise):
 
     def _judge(self, answer, printed):
         outcome = super()._judge(answer, printed)
-        lead = alone(answer, chosen(self.right)) if outcome.status == "wrong" else ""
+        lead = alone(answer, chosen(self.right), type(self.right) is str) if outcome.status == "wrong" else ""
         return Outcome("wrong", lead + outcome.sentence) if lead else outcome
 
     def _same(self, answer, value, narrow):

@@ -29,15 +29,27 @@ def first_endless(answer):
     return min(map(int, steps), default=None)
 
 
+ROWS_OF_NAN = "This scan holds rows of NaN, which are no readings: leave them out before the NIS and the weights."
+SOME_NAN = "This reading holds NaN beside the numbers, and whatever is calculated with NaN is NaN: use the numbers that are there."
+
+
 def of_gaps(inputs, at):
     """What is said of a result that is not finite from step `at` on: what the missing readings tell of the cause."""
     series = [part for part in map(np.asarray, inputs) if part.dtype.kind == "f" and part.ndim]
     longest = max(map(len, series), default=0)
-    gaps = [np.isnan(part.reshape(longest, -1)).all(axis=1) for part in series if len(part) == longest > at]
-    missing = np.any(gaps, axis=0)[: at + 1] if gaps else np.zeros(at + 1, bool)
+    rows = [np.isnan(part.reshape(longest, -1)) for part in series if len(part) == longest > at]
+    missing, some = (
+        np.any([kind(row, axis=1)[: at + 1] for row in rows] or [np.zeros(at + 1, bool)], axis=0)
+        for kind in (np.all, np.any)
+    )
+    if some[at] and not (missing[at] or some[:at].any()):
+        scans = any(part.ndim == 3 and len(part) == longest for part in series)
+        return f". {ROWS_OF_NAN if scans else SOME_NAN}"
     if missing[at]:
         return ". There the reading is NaN, and whatever is calculated with NaN is NaN: predict, and leave the correction out."
-    if missing[: max(at - 1, 0)].any():
+    if some[at]:
+        said = "It holds NaN beside the numbers, as others before it did, which have been passed"
+    elif missing[: max(at - 1, 0)].any():
         said = "The reading there is a number, and missing readings have been passed before"
     elif at and missing[at - 1]:
         return ". It is the first after a missing reading: is something made of that NaN kept, such as an innovation in a window?"

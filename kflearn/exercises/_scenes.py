@@ -40,15 +40,16 @@ class Scene(NamedTuple):
         return (self.cov[1:] - self.F @ self.cov[:-1] @ self.F.mT)[self.empty]
 
 
-def negative(scenes, rows):
+TAKEN_OFF = "Is too much taken off, in P by a correction, or in an R that is worked out by a difference? Or does a Q below zero come in?"
+
+
+def negative(scenes, rows, cause=TAKEN_OFF):
     """A variance below zero."""
     for number, scene in enumerate(scenes, 1):
         bad = np.argwhere(np.diagonal(scene.cov, axis1=1, axis2=2) < 0)
         if len(bad):
-            return (
-                f"In recording {number} your P has a negative variance in {rows[:-1]} {bad[0, 0] + 1}, which no covariance has. Look at "
-                "what is taken off: in P by a correction, and in R where it is worked out by a difference."
-            )
+            where = f"in {rows[:-1]} {bad[0, 0] + 1}"
+            return f"In recording {number} your P has a negative variance {where}, which no covariance has. {cause}"
     return None
 
 

@@ -38,8 +38,12 @@ def outside(x, P, z, H, R):
 
 
 def stretched(scales, rights):
-    """What is said of the scale of one number, times a factor that is the same for all shares."""
+    """What is said of the scale of one number, or of the share, times a factor that is the same for all shares."""
     from scipy.stats import norm
+
+    each = scales / (1 - np.exp(-(rights**2) / 2))
+    if np.ptp(each) < 1e-3 * each[0]:
+        return f"Your k is {each[0]:.3g} times the share. k is not proportional to the share: solve share = 1 − exp(−k²/2) for k."
 
     factor = scales / norm.ppf(1 - np.exp(-(rights**2) / 2) / 2)
     if np.ptp(factor) < 1e-3 and abs(factor[0] - 1) > 0.01:

@@ -38,7 +38,7 @@ WRONG = {
         ),
         "squares of e": (
             lambda e, P: np.sum(np.linalg.inv(P) @ e**2),
-            "You squared e first. Then the products of two different components are lost: e itself stands on both sides of P⁻¹.",
+            "That is Σ P⁻¹ e², as if e were squared first: the products of two different components are lost. `*` multiplies entry by entry; use `@`, with e on both sides of P⁻¹.",
         ),
         "1 over": (
             lambda e, P: 1 / (e @ P @ e),

@@ -68,10 +68,13 @@ def row_by_row(P, K):
 
 MYSTERY = heard(
     {
-        r"both|all": "With Q and R wrong by the same factor the gain is right, and neighbours are white. "
+        r"\br */ *q\b": "R/Q is one number for two. Name one of the four faults: Q or R, too small or too large.",
+        r"(gain|ratio|\bk\b|\bq */ *r\b)[^,;]*(small|low)": "With a gain (a ratio Q/R) too small, neighbours would be alike, with a "
+        "plus sign; here it is −0.078, so the gain is too large. And name one of the four faults.",
+        r"(gain|ratio|\bk\b|\bq */ *r\b)[^,;]*(large|high|big)": "The minus sign says that the gain (the ratio Q/R) is too large. "
+        "Which makes it so, Q or R? Whether NIS is below or above 2 decides.",
+        r"^(?!.*small.*large|.*large.*small).*\bboth\b": "With Q and R wrong by the same factor the gain is right, and neighbours are white. "
         "−0.078 is far outside ±0.005.",
-        r"gain.*(large|high|big)": "The gain is too large, yes. Which makes it so, Q or R? Whether NIS is below or above 2 decides.",
-        r"gain.*(small|low)": "The minus sign says that the gain is too large. Which makes it so, Q or R?",
         r"^(right|ok|honest|nothing|none|neither|correct)$": "1.85 is not near 2 here: with so many readings chance allows "
         "1.986 to 2.014 only.",
     }

@@ -50,12 +50,14 @@ def off(changed):
     return value
 
 
-def errors_of(answers, recordings):
-    """Error, truth and readings of each recording, up to a change of speaker where there is one."""
+def errors_of(answers, recordings, late=False):
+    """Error, truth and readings of each recording: up to a change of speaker where there is one, or later than that."""
     for answer, ((z,), truth) in zip(answers, recordings, strict=True):
         jumps = np.flatnonzero(abs(np.diff(truth)) > 30) + 1
-        first = slice(0, jumps[0] if len(jumps) else None)
-        yield angle_difference(np.asarray(answer, float), truth)[first], truth[first], np.asarray(z, float)[first]
+        if late and not len(jumps):
+            continue
+        part = slice(jumps[0] + SETTLED, None) if late else slice(0, jumps[0] if len(jumps) else None)
+        yield angle_difference(np.asarray(answer, float), truth)[part], truth[part], np.asarray(z, float)[part]
 
 
 def echoes(z, truth):
@@ -82,6 +84,11 @@ def of_one(answers, recordings):
     if words := of_the_readings(answers, recordings):
         return words
     rows = list(errors_of(answers, recordings))
+    return seen_of_one(rows) or where(rows)
+
+
+def seen_of_one(rows):
+    """What the errors of some recordings show of starts and of long echoes; None where they do not show it."""
     lost = [np.median(abs(error)) > 10 for error, _, _ in rows]
     begin = [np.median(abs(error[1:5])) > 10 for error, _, _ in rows]
     pulls = [(abs(error[last]), abs(angle_difference(z[last], truth[last])))
@@ -92,16 +99,49 @@ def of_one(answers, recordings):
         return f"In {sum(lost)} of {len(rows)} recordings the filter is not at the speaker most of the time.{at} Does it ever come back?"
     if share > 0.7:
         return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them. Does it switch too early, or believe each reading? A median of five readings, too, is outvoted by three of an echo."
-    if share > 0.1:
+    between = np.mean([0.1 < pull / full < 0.9 for pull, full in pulls])
+    if share > 0.1 and between > 0.5:
         return (
             f"At the end of an echo of 11 to 14 readings the filter is {100 * share:.0f} % of the way to it. "
             "Each reading of an echo pulls, and the pulls add up: a reading so far off should not pull at all."
         )
     if np.mean(begin) > 0.4:
         return "At the beginning the filter follows the first readings, and they may be an echo. What do the first fifteen together say?"
-    return Likely(
-        "Is every difference taken the short way round, and does the filter keep up with a speaker who walks?"
+    return taken(rows)
+
+
+def taken(rows):
+    """At the ends of how many long echoes a filter is at the echo; None where it is at none."""
+    count = at = 0
+    right = True  # at all other times
+    for error, truth, z in rows:
+        keep = np.ones(len(z), bool)
+        for first, last in echoes(z, truth):
+            count += 1
+            at += abs(error[last] - angle_difference(z[last], truth[last])) < 10
+            keep[first : last + 16] = False
+        right = right and np.all(abs(error[keep]) < 10)
+    rest = " Otherwise it is within 10° of the speaker, up to a change of speaker." if right else ""
+    advice = "An echo lasts up to 14 readings: look at more readings before you leave the old place."
+    return (
+        f"At the end of {at} of {count} long echoes your filter is wholly at the echo.{rest} {advice}" if at else None
     )
+
+
+def where(rows):
+    """Where the errors of some recordings are: near north, behind a speaker who walks, or around one reading."""
+    error, truth = (np.concatenate(part) for part in list(zip(*rows, strict=True))[:2])
+    north = abs(angle_difference(truth, 0)) < 15
+    if np.sum(error[north] ** 2) > 0.8 * np.sum(error**2):
+        words = "Nearly all of the error is where the speaker is near north."
+        return Likely(f"{words} Is every difference taken the short way round?")
+    walks = [np.sign(np.median(np.diff(truth))) for _, truth, _ in rows]
+    behind = [-np.median(side * error) for side, (error, _, _) in zip(walks, rows, strict=True)]
+    if min(behind) > 1:
+        return f"Your filter is {np.median(behind):.0f}° behind the walking speaker (median): let it follow faster."
+    row = max(rows, key=lambda each: np.max(abs(each[0])))
+    k = np.argmax(abs(row[0]))
+    return f"The largest error is {abs(row[0][k]):.0f}°, where the speaker is at {row[1][k] % 360:.0f}°."
 
 
 def of_two(answers, recordings):
@@ -116,15 +156,18 @@ def of_two(answers, recordings):
             early.append(np.median(abs(new)) < 10)
     if words := of_the_readings(answers, recordings):
         return words
-    if np.mean(early) > 0.5 or (any(early) and of_one(answers, recordings).startswith("Is every")):
+    rows = list(errors_of(answers, recordings))
+    shown = seen_of_one(rows)
+    if np.mean(early) > 0.5 or (any(early) and not shown):
         count = f"In {sum(early)} of {len(early)} recordings with two speakers"
         return f"{count} the filter comes to the new speaker before the change: it looks ahead, and switches too early."
     if np.mean(arrived) < 0.5:
         return "After a change the filter must come to the new speaker within 30 readings: does a gate open again, and do new readings count enough?"
     if np.mean(slow) > 0.3:
         return "After a change the filter comes to the new speaker, but later than 30 readings: new readings must count for more when many of them agree."
-    words = of_one(answers, recordings)
-    return f"The filter comes to the new speaker, but it is wrong at other times. {words}"
+    words = shown or where([*errors_of(answers, recordings, late=True), *rows])
+    said = f"The filter comes to the new speaker, but it is wrong at other times. {words}"
+    return Likely(said) if isinstance(words, Likely) else said
 
 
 def sorts_raw(answer, answers, recordings):

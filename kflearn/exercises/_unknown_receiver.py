@@ -120,6 +120,35 @@ def of_the_means(answers, recordings, Rs):
     return None
 
 
+def uses(answers, recordings, first):
+    """Whether the mean of row k + 1 has moved by the gain, with F, from row k to reading k + first."""
+    fits = []
+    for answer, ((z,), _) in zip(answers, recordings, strict=True):
+        mean, cov = pair(answer)
+        ahead, K = mean[:19] @ F.T, cov[1:20, :, 0] / one_R(gained(cov))
+        right = ahead + K * (z[first : first + 19] - ahead[:, 0])[:, None]
+        fits.append(np.allclose(mean[1:20], right, rtol=1e-3, atol=1e-3 * np.std(z)))
+    return all(fits)
+
+
+def too_early(answers, recordings):
+    """What is said of beliefs of which the first is the start, or the prediction for the first reading; else None."""
+    covs = [pair(answer)[1] for answer in answers]
+    if all(np.allclose(cov[0], COV, rtol=1e-6) and one_R(gained(cov)) for cov in covs):
+        words = "Your first P is the start itself, one second before the first reading."
+        if uses(answers, recordings, 0):
+            return f"{words} You return the beliefs before each reading; wanted are those after it."
+        lost = " The first reading is not used." if uses(answers, recordings, 1) else ""
+        return f"{words}{lost} Predict from the start to the first reading, and correct with it."
+    undo = np.linalg.inv(F)
+    after = [undo @ (cov[1:] - Q) @ undo.T for cov in covs]
+    Rs = [one_R(np.linalg.inv(P[:19]) - np.linalg.inv(cov[:19])) for P, cov in zip(after, covs, strict=True)]
+    first = all(np.allclose(cov[0], F @ COV @ F.T + Q, rtol=1e-6) for cov in covs)
+    if first and all(R and R < 1e5 for R in Rs):
+        return "Your P is that of the prediction for each reading; wanted are the beliefs after it. Append after the correction."
+    return None
+
+
 def of_Q_or_many_R(covs):
     """What is said where no single R explains a recording: another prediction, another Q, or an R for each reading."""
     if words := moved(covs):
@@ -152,6 +181,8 @@ def named(answers, recordings):
         return "Your P moves with F but gains no Q. Is Q added in each prediction?"
     if roots(covs):
         return "You return the root of P. Return P itself: it holds variances, and its root is no covariance."
+    if words := too_early(answers, recordings):
+        return words
     Rs = [one_R(gained(cov)) for cov in covs]
     if any(R is None for R in Rs):
         return of_Q_or_many_R(covs)

@@ -39,7 +39,7 @@ def scenes(answers, recordings):
 
 
 def learnt(R, recordings):
-    """Where R̂ ends after the change, and how many readings that takes: for each new level of R, the median."""
+    """Where R̂ ends after the change, and how many readings that takes, inf if more than come: for each new level of R, the median."""
     level, needed = {GOOD: [], BAD: []}, {GOOD: [], BAD: []}
     for each, (_, truth) in zip(R, recordings, strict=True):
         after, new = each[np.flatnonzero(np.diff(truth[:, 2]))[0] :], truth[-1, 2]
@@ -47,7 +47,8 @@ def learnt(R, recordings):
         there = after < 3 if new == GOOD else after > 8
         wrong = [n for n in range(len(there) - 15) if there[n : n + 15].mean() < 0.5]
         level[new].append(np.median(after[45:]))
-        needed[new].append(wrong[-1] + 8 if wrong else 0)
+        never = wrong and wrong[-1] == len(there) - 16
+        needed[new].append(np.inf if never else wrong[-1] + 8 if wrong else 0)
     return [np.median(each[new]) for each in (level, needed) for new in (GOOD, BAD)]
 
 

@@ -124,6 +124,15 @@ def floored(answer, answers, recordings):
     return None
 
 
+def takes(count, level, R, recordings):
+    """How many readings it takes until R̂ is at a level, in words."""
+    if np.isfinite(count):
+        return f"it takes {count:.0f} readings (median) until your R̂ is mostly {level}"
+    after = [each[np.flatnonzero(np.diff(truth[:, 2]))[0] :] for each, (_, truth) in zip(R, recordings, strict=True)]
+    left = np.median([np.isfinite(each).sum() for each in after])
+    return f"your R̂ does not get mostly {level} within the recording ({left:.0f} readings), in half of them or more"
+
+
 def follows(answer, answers, recordings):
     """R̂ after a change."""
     R, _ = used(answers, recordings)
@@ -133,12 +142,12 @@ def follows(answer, answers, recordings):
     granted = "and 45 steps are granted"
     if until_good > 40 or good > 5:
         return (
-            f"After the sensor has become good it takes {until_good:.0f} readings (median) until your R̂ is mostly below 3 m², {granted}. "
+            f"After the sensor has become good {takes(until_good, 'below 3 m²', R, recordings)}, {granted}. "
             "The bad readings count for too long: a window must be shorter, a mean must forget, and a bank must be allowed to change."
         )
     if until_bad > 40:
         return (
-            f"After the sensor has become bad it takes {until_bad:.0f} readings (median) until your R̂ is mostly above 8 m², {granted}. "
+            f"After the sensor has become bad {takes(until_bad, 'above 8 m²', R, recordings)}, {granted}. "
             "Let newer innovations count for more."
         )
     return None

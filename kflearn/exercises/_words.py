@@ -63,35 +63,48 @@ def heard(table):
     return said
 
 
-def one_of(given, right, choices) -> str:
-    """What is said of several choices, where one is wanted.
+def one_of(given, right, choices, wrong=None) -> str:
+    """What is said of several choices, where one is wanted; of two that are wrong also what is said of each.
 
     Examples
     --------
-    >>> one_of({"a", "b"}, {"c"}, {"a", "b", "c"})
-    'choose one, please. The right one is none of these.'
+    >>> wrong = {"first": ("a", "It bends."), "second": ("b", "It is late.")}
+    >>> one_of({"a", "b"}, {"c"}, {"a", "b", "c", "d"}, wrong)
+    'choose one, please. The right one is none of these. a: It bends. b: It is late.'
     """
     if given == choices:
         return "choose one, please."
-    where = "among these" if right <= given else "none of these"
-    return f"choose one, please. The right one is {where}."
+    if right <= given:
+        return "choose one, please. The right one is among these."
+    each = [f" {value}: {words}" for value, words in (wrong or {}).values() if str(value).casefold() in given]
+    return f"choose one, please. The right one is none of these.{''.join(each if len(given) == 2 else [])}"
 
 
-def alone(answer, right) -> str:
+def alone(answer, right, as_text=False) -> str:
     """What is said first of a single letter where several are wanted: all that has arrived is this letter.
+
+    as_text: whether the exercise asks for the letters as one text, and not for a set.
 
     Examples
     --------
     >>> alone("A" and "C", {"a", "c"})
     'Your answer is the letter C alone; several are handed in as a set, such as {"X", "Y"} (`and` leaves only the last). '
+    >>> alone("C", {"a", "c"}, as_text=True)
+    'Your answer is the letter C alone; several are handed in as one text, such as "XY" (`and` leaves only the last). '
     >>> alone("AC", {"a", "c"}), alone("C", {"c"})
     ('', '')
     """
     letter = answer.strip(" .()").upper() if isinstance(answer, str) else ""
     if len(letter) != 1 or len(right) < 2 or not all(map(str.isalpha, {letter, *right})):
         return ""
-    several = 'several are handed in as a set, such as {"X", "Y"} (`and` leaves only the last)'
-    return f"Your answer is the letter {letter} alone; {several}. "
+    form = 'one text, such as "XY"' if as_text else 'a set, such as {"X", "Y"}'
+    return f"Your answer is the letter {letter} alone; several are handed in as {form} (`and` leaves only the last). "
+
+
+def without_names(right) -> str:
+    """What is said of a dictionary whose values do not fit; right: the array that is wanted."""
+    example = f", as in `{list(range(1, right.size + 1))}`" if right.ndim == 1 and right.size < 6 else ""
+    return f"a dictionary: give the numbers alone, without names, in the order of the question{example}"
 
 
 def texts(value) -> list:

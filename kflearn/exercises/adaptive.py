@@ -13,6 +13,7 @@ from kflearn.exercises._slips_adaptive import SLIPS
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import NOISY
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise, judged
 
@@ -184,7 +185,11 @@ def bank(rng):
         "`return sum(w * (P + np.outer(m - p @ means, m - p @ means)) for w, m, P in zip(p, means, covs))`",
     ],
     inputs=bank,
-    wrong=WRONG["mixture_cov"] | SLIPS["mixture_cov"] | THIRD["mixture_cov"] | FOURTH["mixture_cov"],
+    wrong=WRONG["mixture_cov"]
+    | SLIPS["mixture_cov"]
+    | THIRD["mixture_cov"]
+    | FOURTH["mixture_cov"]
+    | SEVENTH["mixture_cov"],
     then=(
         "Where all means are equal nothing is left but the mean of the covariances; where they differ the joint "
         "belief is wider."

@@ -9,6 +9,7 @@ from kflearn.exercises._slips_bearing import WRONG as MORE
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -131,7 +132,7 @@ def gains(rng):
         "In one line: `return (np.eye(2) - np.outer(K, [1, 0])) @ P`.",
     ],
     inputs=gains,
-    wrong=WRONG["right_update"] | MORE["right_update"] | THIRD["right_update"],
+    wrong=WRONG["right_update"] | MORE["right_update"] | THIRD["right_update"] | SEVENTH["right_update"],
     then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 12.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",

@@ -178,7 +178,7 @@ def bearing_variance(sd):
     | FOURTH["twin_velocity"],
     otherwise=facts.relative_of,
     unit="m/s",
-    then="Every distance has such a twin. The twins separate only when we change our own velocity: by a turn, or by a change of speed; not along the line of sight alone.",
+    then="Every distance has such a twin. The twins separate only when we change our own velocity, by a turn or by a change of speed; best across the line of sight.",
 )
 def twin_velocity():
     """The own velocity (east, north) of the target twice as far away that shows the same bearings."""

@@ -11,6 +11,7 @@ from kflearn.exercises._consider_filter import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise
@@ -177,7 +178,11 @@ def blocks(rng):
         "`return F @ P @ F.T + Q, fading * F @ C, fading**2 * B + q`",
     ],
     inputs=blocks,
-    wrong=WRONG["economical"] | SLIPS["economical"] | FOURTH["economical"] | FIFTH["economical"],
+    wrong=WRONG["economical"]
+    | SLIPS["economical"]
+    | FOURTH["economical"]
+    | FIFTH["economical"]
+    | SEVENTH["economical"],
     then=(
         "C is what a consider filter remembers. With fading = 0 the bias is new at every step, C is zero, and the "
         "inflated filter would be right."

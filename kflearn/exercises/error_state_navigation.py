@@ -8,6 +8,7 @@ from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._error_state_navigation import MORE
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -108,7 +109,7 @@ def tunnel_mouths(rng):
         ),
         "signs against each other": (
             lambda dv, b, allowed: (dv + math.sqrt(dv**2 + 2 * b * allowed)) / b,
-            "Here speed and bias pull against each other; they pull the same way, so the solution begins with −dv.",
+            "Your time solves b·t²/2 − dv·t = allowed, as if speed and bias pulled against each other. Has dv the wrong sign, or is it the other root, with its sign dropped? Take (−dv + √…)/b.",
         ),
         "two times added": (
             lambda dv, b, allowed: allowed / dv + math.sqrt(2 * allowed / b),
@@ -151,7 +152,8 @@ def tunnel_mouths(rng):
     | MORE["dark_time"]
     | THIRD["dark_time"]
     | FOURTH["dark_time"]
-    | FIFTH["dark_time"],
+    | FIFTH["dark_time"]
+    | SEVENTH["dark_time"],
     then=(
         "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
         "afterwards the bias."

@@ -12,6 +12,7 @@ from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fifth_early import on_a_grid
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -116,7 +117,7 @@ def three_covariances(rng):
         "−2 (1 − K) P + 2 K R + 2 (1 − 2 K) c = 0. Collect what belongs to K: K (P + R − 2 c) = P − c.",
     ],
     inputs=three_covariances,
-    wrong=LAST["common_cause"] | MORE["common_cause"] | FIFTH["common_cause"],
+    wrong=LAST["common_cause"] | MORE["common_cause"] | FIFTH["common_cause"] | SEVENTH["common_cause"],
     otherwise=on_a_grid,
     then="With c = 0 this is (12). If c is larger than P, K is negative; if it is larger than R, K is above 1: then the best estimate is not even between the two numbers.",
 )

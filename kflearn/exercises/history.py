@@ -9,6 +9,7 @@ from kflearn.exercises._slips_data import SLIPS as MORE
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -133,7 +134,8 @@ def gains_and_lengths(rng, n):
     wrong=WRONG["exponential_weights"]
     | SLIPS["exponential_weights"]
     | MORE["exponential_weights"]
-    | FOURTH["exponential_weights"],
+    | FOURTH["exponential_weights"]
+    | SEVENTH["exponential_weights"],
     then="They sum to 1 for every n; for n = 1 the single weight is 1, since the first reading is all there is.",
 )
 def exponential_weights(K, n):

@@ -10,6 +10,7 @@ from kflearn.exercises._judge import nees as nees_of_all
 from kflearn.exercises._slips_fourth import MYSTERIES
 from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_third import MYSTERY, of_interval
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
@@ -125,7 +126,7 @@ def start_beliefs(rng, n):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
-    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"] | THIRD["draw_start"],
+    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"] | THIRD["draw_start"] | SEVENTH["draw_start"],
     also=[lambda mean, variances, normal: mean - np.sqrt(variances) * normal],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )

@@ -6,6 +6,7 @@ from kflearn.exercises._impossible_units import wrong_choices
 from kflearn.exercises._newton_to_state_space import WRONG, first_wrong_row
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_start import WRONG as MORE
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
@@ -250,7 +251,8 @@ def one_after_the_other(F, x, order=(0, 1)):
         ),
         "unchanged": (lambda F, x: x, "You return the old state. Where are the new entries?"),
     }
-    | THIRD["overwritten"],
+    | THIRD["overwritten"]
+    | SEVENTH["overwritten"],
     then="For the cart F[1, 0] is 0, so its second line does not contain x[0] at all. And `F @ x` calculates the whole new vector before anything is overwritten.",
     fixed={
         "F": "the published program steps a state of two numbers, entry by entry, and so does the answer",

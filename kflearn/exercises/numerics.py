@@ -6,6 +6,7 @@ from kflearn.exercises._hints import tried
 from kflearn.exercises._slips_digits import WRONG as MORE
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -168,7 +169,8 @@ def average_nees(P, K, R, claim):
     | MORE["orders_of_the_root"]
     | THIRD["orders_of_the_root"]
     | FOURTH["orders_of_the_root"]
-    | FIFTH["orders_of_the_root"],
+    | FIFTH["orders_of_the_root"]
+    | SEVENTH["orders_of_the_root"],
     then="That is why a root needs half as many digits: in single precision, with seven digits, it holds what P needs fourteen for.",
 )
 def orders_of_the_root(orders):

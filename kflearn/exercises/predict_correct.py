@@ -8,6 +8,7 @@ from kflearn.exercises._predict_correct_misprints import WRONG as MORE
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_steps import WRONG as LATER
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
@@ -54,7 +55,7 @@ def corrections(rng, n, m):
         "`K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)`, then `return x + K @ (z - H @ x), (np.eye(len(x)) - K @ H) @ P`",
     ],
     inputs=in_turn(corrections, (1, 1), (2, 2), (3, 3), (2, 2), (2, 1), (3, 2)),
-    wrong=CORRECTION["correct"] | SLIPS["correct"] | FOURTH["correct"],
+    wrong=CORRECTION["correct"] | SLIPS["correct"] | FOURTH["correct"] | SEVENTH["correct"],
     then="If R goes to zero and H can be inverted, K goes to H⁻¹: the new state is then the one that gives exactly z.",
 )
 def correct(x, P, z, H, R):

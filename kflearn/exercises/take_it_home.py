@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._take_it_home import WRONG, half_readings, wrong_sensors
 from kflearn.exercises.engine import exercise
 
@@ -46,7 +47,7 @@ def with_the_constant():
         "With `H, R = H[seen], R[np.ix_(seen, seen)]` it is the usual correction: `K = P @ H.T @ inv(H @ P @ H.T + R)`, then `x + K @ (z[seen] - H @ x)` and `P - K @ H @ P`.",
     ],
     inputs=half_readings(),
-    wrong=WRONG["use_what_is_there"],
+    wrong=WRONG["use_what_is_there"] | SEVENTH["use_what_is_there"],
     then="This holds for every R. Rows of zeros, and one number after another, need a diagonal one.",
 )
 def use_what_is_there(x, P, z, H, R):

@@ -9,6 +9,7 @@ from kflearn.exercises._slips_fifth_early import of_a_start
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_rooms import WRONG as MORE
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_filters import SUSPECT
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._temperature_and_free_fall import WRONG
@@ -30,7 +31,11 @@ def rooms(rng):
         "Two changes: `K * (reading - x)` and `np.sqrt((1 - K) * P)`.",
     ],
     inputs=rooms,
-    wrong=WRONG["mended_step"] | SLIPS["mended_step"] | MORE["mended_step"] | THIRD["mended_step"],
+    wrong=WRONG["mended_step"]
+    | SLIPS["mended_step"]
+    | MORE["mended_step"]
+    | THIRD["mended_step"]
+    | SEVENTH["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
     then="With the truth in place of the reading the error looks far smaller than it would in a real room, where nobody knows the truth.",
 )

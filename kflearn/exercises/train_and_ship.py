@@ -5,11 +5,12 @@ import math
 import numpy as np
 
 from kflearn.exercises import _two_fixes
-from kflearn.exercises._cart_seen import look
+from kflearn.exercises._cart_seen import before, look
 from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, honest_at_first, honest_where_fine, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._slips_train import WRONG as MORE
 from kflearn.exercises._train_and_ship import WRONG
@@ -90,7 +91,7 @@ def fix_errors(rng, count):
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
     inputs=in_turn(fix_errors, 3, 12, 5, 2),
-    wrong=WRONG["report"] | MORE["report"],
+    wrong=WRONG["report"] | MORE["report"] | SEVENTH["report"],
     then="You need both numbers. A large mean error says that the receiver is biased, and a filter that assumes errors of mean zero does not remove a bias.",
 )
 def report(errors):
@@ -272,6 +273,7 @@ def two_point_start(z0, z1, dt, R):
     form=track(2),
     passing=PASSING,
     failing=FAILING,
+    signs=[before],
     then="The error is largest just before a gap ends. `rts_smoother`, in lesson 23, uses the readings behind a gap as well.",
 )
 def cart_with_gaps(z, dt, sd, sigma):

@@ -9,6 +9,7 @@ from kflearn.exercises._slips_balance import WRONG as LATER
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import KNOBS
 from kflearn.exercises._slips_practice import WRONG as SLIPS
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_third import KNOB
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._tuning_the_ratio import WRONG, of_sigma, sheet_by_sheet
@@ -102,7 +103,7 @@ def recordings_at_rest(rng, n):
     ],
     inputs=in_turn(recordings_at_rest, 250, 400, 1000),
     rtol=5e-3,
-    wrong=MORE["three_sigma"] | LATER["three_sigma"],
+    wrong=MORE["three_sigma"] | LATER["three_sigma"] | SEVENTH["three_sigma"],
     then="With R nine times too large the gain at Q = R falls from 0.62 to 0.28, and the estimate comes late.",
 )
 def three_sigma(at_rest):

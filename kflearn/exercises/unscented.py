@@ -6,6 +6,7 @@ from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._slips_fifth_late_points import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_points import MORE
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -65,7 +66,8 @@ def image(degrees):
     }
     | MORE["three_points"]
     | FOURTH["three_points"]
-    | FIFTH["three_points"],
+    | FIFTH["three_points"]
+    | SEVENTH["three_points"],
     otherwise=facts.weight_of_centre,
     unit="m",
     rtol=1e-4,

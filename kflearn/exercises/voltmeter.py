@@ -11,6 +11,8 @@ from kflearn.exercises._slips_balance import WRONG as LATER
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
+from kflearn.exercises._slips_seventh_early import of_best_error
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._voltmeter import WRONG
 from kflearn.exercises._voltmeter_start import WRONG as MORE
@@ -27,7 +29,7 @@ from kflearn.exercises.engine import exercise, judged
         "Before the second reading P has grown from 2 to 2 + Q.",
         "K = 5 / (5 + 9).",
     ],
-    wrong=WRONG["second_gain"] | LATER["second_gain"] | FOURTH["second_gain"],
+    wrong=WRONG["second_gain"] | LATER["second_gain"] | FOURTH["second_gain"] | SEVENTH["second_gain"],
     otherwise=lambda K: (
         f"A gain of {K:.3g} would need P⁻ = {9 * K / (1 - K):.3g} V² beside R = 9 V². What is P⁻ before the second reading?"
         if 0 < K < 1
@@ -187,9 +189,7 @@ def auto_start(z, H, R):
         ),
         "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
     },
-    otherwise=lambda error: (
-        f"An error of {error:.3g} V is a variance of {error**2:.3g} V². Which variance is left when N(12, 4) is fused with a reading of variance 4?"
-    ),
+    otherwise=of_best_error,
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )
 def best_error():

@@ -10,6 +10,7 @@ from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_data import SLIPS
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._your_data import WRONG
 from kflearn.exercises.engine import exercise, judged
@@ -223,7 +224,7 @@ def gappy(rng):
         "`return np.diff(time[~np.isnan(z)])`",
     ],
     inputs=gappy,
-    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"],
+    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"] | SEVENTH["clock"],
     then=(
         "The sum of the steps is the time from the first reading to the last: a check worth having in every "
         "program that reads a clock."

@@ -89,7 +89,7 @@ SAID = [
     ("two_numbers.told_speed", 12.0, "adds 0.667 m/s for each of the 3 m"),
     ("predict_correct.correct", predicts_again, "reads `F`, which is a name of the notebook"),
     ("predict_correct.correct", a_known_gain, "reads `K`, which is a name of the notebook"),
-    ("predict_correct.correct", turned_over, "`1 / S` turns over each entry"),
+    ("predict_correct.correct", turned_over, "`1 / …` turns over each entry"),
     ("predict_correct.misprints", fixed_size, "`np.eye(2)` has a fixed size"),
     ("predict_correct.misprints", lambda *a: step(*a, times=2), "Q is added twice"),
     ("predict_correct.predicted_covariance", [[16, 7], [7, 4]], "with dt² = 4"),

@@ -93,7 +93,7 @@ def test_right_answers_pass(name, answer):
 
 SAID = [
     ("is_the_filter_honest.interval", chi_square_interval(2, 50 * 79), "one for each second of 50 voyages"),
-    ("is_the_filter_honest.nees", lambda e, P: np.sum(np.linalg.inv(P) @ e**2), "You squared e first"),
+    ("is_the_filter_honest.nees", lambda e, P: np.sum(np.linalg.inv(P) @ e**2), "as if e were squared first"),
     ("is_the_filter_honest.mystery", "Q too large or R too small", "Both agree with the minus sign"),
     ("is_the_filter_honest.draw_start", own_start, "Use those in `normal`"),
     ("bearing_of_a_sound.wrap", lambda d: np.degrees(np.arctan2(np.sin(d), np.cos(d))), "take radians"),

@@ -19,8 +19,8 @@ var Scorer = {
   score: ([page, , , , score, , kind]) => {
     const query = new URLSearchParams(window.location.search).get("q") || "";
     Scorer.extra[query] ??= Scorer.points(query);
-    const equation = kind === "index" && score === 100 ? 200 : 0; // asked for by its whole name
-    return score + equation + (Scorer.extra[query].get(page) || 0);
+    if (kind === "index") return score === 100 ? 500 : score; // an equation, asked for by its whole name or by a part
+    return score + (Scorer.extra[query].get(page) || 0);
   },
 
   // For a term asked for exactly 200, for a longer term with these words 100, a little less for its second lesson.
