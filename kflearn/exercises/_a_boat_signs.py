@@ -71,9 +71,11 @@ def small_gate(answer, answers, recordings):
 
 def takes_the_nearest(answer, answers, recordings):
     """The lesson's filter of the nearest reading."""
-    if "nearest_filter(" in (_code_of.text_of(answer) or ""):
-        return "Your filter takes the nearest reading for the boat's, and cannot know when it is led away. Weigh all that are in the gate. And Q must be large enough for a boat that turns."
-    return None
+    text = _code_of.text_of(answer) or ""
+    if "nearest_filter(" not in text:
+        return None
+    turns = "" if "nearest_filter(plane," in text else " And Q must be large enough for a boat that turns."
+    return f"Your filter takes the nearest reading for the boat's, and cannot know when it is led away. Weigh all that are in the gate.{turns}"
 
 
 # ---- what a tracker does with a boat that goes straight on

@@ -75,7 +75,9 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
         remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
     if not remark and sizes and isinstance(error, IndexError):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
-    if not remark and sizes and number and isinstance(error, ValueError):
+    if not remark and "Singular" in str(error):
+        remark = _of_the_diagonal(answer)
+    if not remark and sizes and number and isinstance(error, ValueError) and "Singular" not in str(error):
         remark = _of_shapes(error, sentence)
     return status, f"{sentence} {remark}".rstrip()
 
@@ -87,6 +89,16 @@ def _of_shapes(error, sentence):
     if "broadcast" in str(error):
         return "In the trials before the sizes fitted by chance. Two arrays of different shapes are added or multiplied: should a product stand between them?"
     return "The trials have several sizes: is a size typed in, a transpose missing, or an order of factors wrong?"
+
+
+def _of_the_diagonal(answer):
+    """What is said of an S with R[seen, seen] in it; empty where there is none."""
+    text = _code_of.text_of(answer) or ""
+    found = re.search(r"\bR\[([a-z_]\w+), ?\1\]", text)
+    if not found or re.search(rf"\bfor {found[1]} in\b", text):
+        return ""
+    it, s = found[0], found[1]
+    return f"{it} picks the diagonal as a vector, and adding it spreads it over all rows of S. The block of R is `R[np.ix_({s}, {s})]`."
 
 
 def _typed_size(answer):

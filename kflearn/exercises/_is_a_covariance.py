@@ -19,7 +19,7 @@ SYMMETRY = {
     exactly: "You refuse a matrix of which two corners differ by 4 · 10⁻¹⁰. That is rounding: allow for it, as `np.allclose(P, P.T)` does.",
     lambda P: (
         abs(P[0, 1] - P[1, 0]) < 1e-9
-    ): "Your function answers as if only the first two states had to be symmetric. P may be of any size.",
+    ): "Your function lets a P pass of which only the first two states are symmetric. P may be of any size.",
     lambda P: (
         True
     ): "You return True for matrices that are not symmetric. If you look at eigenvalues: `eigvalsh` reads one half of the matrix only. "

@@ -53,7 +53,7 @@ WRONG = {
                 F @ x + gain_of(F @ P @ F.T + Q, H, R) @ (z - H @ x),
                 step(F @ x, F @ P @ F.T + Q, z, H, R)[1],
             ),
-            "P is right. But the innovation compares z with the state of a second ago. x_pred must be F @ x, and x_new starts there.",
+            "P is right. But the innovation compares z with the state of a second ago. Use H @ x_pred in the innovation.",
         ),
         "the old P at the end": (
             lambda x, P, z, F, H, Q, R: (

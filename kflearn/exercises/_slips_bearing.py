@@ -126,7 +126,7 @@ WRONG = {
     | {
         "symmetrised": (
             lambda P, Q, dt: np.mean([M := np.array([[1, dt], [0, 1]]) @ P @ np.array([[1, dt], [0, 1]]).T + Q, M.T], axis=0),
-            "F P Fᵀ + Q is right, and then you made it symmetric. This P need not be symmetric, and is to be treated as it is: a test has to see that it is not.",
+            "F P Fᵀ + Q is right, but you made P, or the result, symmetric. This P need not be symmetric, and is to be treated as it is: a test has to see that it is not.",
         ),
         "lower left without P₁₀": (
             lambda P, Q, dt: np.array([[1, dt], [0, 1]]) @ P @ np.array([[1, dt], [0, 1]]).T + Q - [[0, 0], [P[1, 0], 0]],

@@ -15,7 +15,13 @@ ROOT_SMALLER = "A root makes the range smaller: √(10ⁿ) is 10 to the power of
 HALVED = "That is half of R. R is already the one of each axis: do not halve it."
 G_SMALL = "With g too small the filter expects the stone too high; the readings would lie below, with a minus sign."
 R_EVEN = "R cannot push the mean to one side."
-SUSPECT = heard({r"grav.*(small|low|weak)": f"Read as “g too small”: {G_SMALL[0].lower()}{G_SMALL[1:]}"})
+SUSPECT = heard(
+    {
+        r"(grav|\bg\b).*(small|low|weak)": f"Read as “g too small”: {G_SMALL[0].lower()}{G_SMALL[1:]}",
+        r"^q\b|process": "A wrong Q changes the NIS, and leaves the innovations even on both sides. Here they are not: which of the four pushes them to one side?",
+        r"nothing|none|chance": "One of the four is right. By chance the innovations would lie on both sides and average nearly zero. Here they average +1.5 m.",
+    }
+)
 
 
 def in_a_row(refused, reading, width, step):

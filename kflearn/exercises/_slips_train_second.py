@@ -2,6 +2,12 @@
 
 import numpy as np
 
+
+def sigma_on_the_diagonal(z0, z1, dt, R):
+    """A start from two fixes with the σ of the speed where its variance belongs."""
+    return np.array([z1, (z1 - z0) / dt]), np.array([[R, R / dt], [R / dt, np.sqrt(2 * R) / dt]])
+
+
 WRONG = {
     "running_average": {
         "span of four steps": (
@@ -10,6 +16,10 @@ WRONG = {
         ),
     },
     "data_sheet": {
+        "6/1.18²": (
+            6 / 1.18**2,
+            "4.31 is 6/1.18², with the 6 m not squared. First σ = 6 m/1.18, then the square of it.",
+        ),
         "1.18 · 6, squared": (
             lambda: (6 * 1.18) ** 2,
             "50.1 is (1.18 · 6)². The radius is the larger number here, σ the smaller: divide, then square.",
@@ -24,6 +34,10 @@ WRONG = {
         ),
     },
     "two_point_start": {
+        "σ for the variance": (
+            sigma_on_the_diagonal,
+            "All but the lower right is right. There √(2R)/dt is the standard deviation of the speed: P holds its square, the variance.",
+        ),
         "for the moment of z0": (
             lambda z0, z1, dt, R: (np.array([z0, (z1 - z0) / dt]), np.array([[R, -R / dt], [-R / dt, 2 * R / dt**2]])),
             "That is the belief at the moment of z0, and it is right there. Asked is the one after the second fix: the position is z1, "

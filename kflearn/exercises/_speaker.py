@@ -98,7 +98,7 @@ def seen_of_one(rows):
         at = " It starts at the first readings, and they are an echo." if np.mean(begin) > 0.5 else ""
         return f"In {sum(lost)} of {len(rows)} recordings the filter is not at the speaker most of the time.{at} Does it ever come back?"
     if share > 0.7:
-        return "Echoes of 11 to 14 readings take the filter along: before they end, it has come to them. Does it switch too early, or believe each reading? A median of five readings, too, is outvoted by three of an echo."
+        return f"Echoes of 11 to 14 readings take the filter along: at their end it is {100 * share:.0f} % of the way to them. Does it switch too early, or believe each reading?"
     between = np.mean([0.1 < pull / full < 0.9 for pull, full in pulls])
     if share > 0.1 and between > 0.5:
         return (
@@ -170,10 +170,35 @@ def of_two(answers, recordings):
     return Likely(said) if isinstance(words, Likely) else said
 
 
+def leads_to(answer, readings, place, within):
+    """Whether such readings, again and again, lead an answer to this place."""
+    last = np.asarray(answer(np.resize(np.asarray(readings, float), STEPS)), float)[-100:]
+    return np.median(abs(angle_difference(last, place))) < within
+
+
+def averages_raw(answer, answers, recordings):
+    """A mean of bearings as plain numbers."""
+    averages = re.search(r"(mean|average|convolve|cumsum)\(", _code_of.text_of(answer) or "")
+    if averages and not of_the_readings(answers, recordings) and leads_to(answer, [359, 1], 180, 20):
+        return "You average raw bearings: the mean of 359 and 1 is 180. Average the short ways from one of them. Even so, 14 echo readings among 20 take the mean most of the way: let most of them decide, not their mean."
+    return None
+
+
+def outvoted(answer, answers, recordings):
+    """A running median of too few readings."""
+    found = re.search(
+        r"(?:running_median|median_filter)\(.*?, *(?:window=|size=)?(\d+)", _code_of.text_of(answer) or ""
+    )
+    if found and 2 < int(found[1]) < 2 * LONGEST:
+        half = int(found[1]) // 2 + 1
+        return f"A median of {found[1]} is outvoted by {half} readings of an echo, and these echoes last up to {LONGEST}. A window must be longer than two echoes, or something else must decide. And what do the first fifteen together say? They may begin with an echo."
+    return None
+
+
 def sorts_raw(answer, answers, recordings):
-    """A median of bearings as plain numbers."""
-    text = _code_of.text_of(answer) or ""
-    if re.search(r"median\(z\[", text) and not re.search("wrap|angle_diff|exp|sin|360", text):
+    """A median of bearings as plain numbers: there 120 is in the middle of 1, 2, 120, 358, 359."""
+    sorts = re.search(r"median(_filter)?\(", _code_of.text_of(answer) or "")
+    if sorts and leads_to(answer, [359, 1, 120, 358, 2], 120, 5):
         return "You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. And what do the first fifteen together say? They may begin with an echo."
     return None
 

@@ -228,7 +228,7 @@ WRONG = {
         ),
         "expected for NaN": (
             expected_for_nan,
-            "You put the expected reading H x in place of NaN. P then counts it as read and becomes too small; and if R is not diagonal, the mean is wrong too.",
+            "You put the expected reading H x in place of NaN. P then counts it as read and becomes too small, and the mean is pulled towards H x.",
         ),
         "rows of zeros": (
             rows_of_zeros,

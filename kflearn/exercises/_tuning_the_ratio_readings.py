@@ -82,7 +82,7 @@ WRONG = {
         ),
         "not halved": (
             lambda readings: np.mean(np.diff(readings) ** 2),
-            "Nearly: a difference holds the noise of two readings, so its mean square is 2R. Halve it.",
+            "A difference holds the noise of two readings, so its mean square is 2R. Halve it.",
         ),
         "half of σ": (
             lambda readings: (np.std(np.diff(readings)) / 2) ** 2,

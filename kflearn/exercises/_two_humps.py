@@ -17,6 +17,10 @@ WRONG = {
         "The mean is right. In the variance the width of each hump is missing: add 1².",
     ),
     "variance": ((4.4, 102.64), "The mean is right. 102.64 is the variance; the standard deviation is its root."),
+    "eleven": (
+        (4.4, 11),
+        "The mean is right. 11 is the distance of each hump from zero, or half their distance from each other. Take the mean square distance from 4.4, add the variance 1 of a hump, then the root.",
+    ),
     "about zero": (
         (4.4, math.sqrt(122)),
         "The mean is right. 11.05 is √(11² + 1), with 11 the distance from zero, or half the distance of the humps. Take the mean square distance from 4.4, and add 1.",

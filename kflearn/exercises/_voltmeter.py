@@ -53,7 +53,7 @@ WRONG = {
         ),
         "third": (
             0.4084,
-            "That is the gain for the third reading. The first reading made the start, so there is one prediction before the second.",
+            "That is the gain for the third reading. P = 2 V² is what the first reading left; there is one prediction before the second.",
         ),
         "R not added": (
             5 / 9,
@@ -117,7 +117,7 @@ WRONG = {
         ),
         "not halved": (
             lambda Q, R: math.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R,
-            "Nearly: the solution of a quadratic equation is divided by 2.",
+            "The solution of a quadratic equation is divided by 2.",
         ),
         "4 for 4q": (
             lambda Q, R: (math.sqrt((Q / R) ** 2 + 4) - Q / R) / 2,

@@ -8,6 +8,7 @@ from kflearn.exercises._claimed_and_real import WRONG as LAST
 from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_belief import WRONG as MORE
+from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fifth_early import on_a_grid
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
@@ -55,7 +56,7 @@ def third_opinion():
         "`return mean_x + K * (mean_z - mean_x), var_x * (1 - K)`",
     ],
     inputs=two_opinions,
-    wrong=WRONG["fuse"] | SLIPS["fuse"] | MORE["fuse"] | FOURTH["fuse"],
+    wrong=WRONG["fuse"] | SLIPS["fuse"] | MORE["fuse"] | FOURTH["fuse"] | EIGHTH["fuse"],
     then="Exchange the two opinions and the result is the same: the formula does not ask which of them came first.",
 )
 def fuse(mean_x, var_x, mean_z, var_z):
@@ -94,7 +95,7 @@ def two_variances(rng):
         "Published: var_x / var_z. Anna: fused / var_z. Ben: var_x / fused; with fused = var_x * var_z / (var_x + var_z).",
     ],
     inputs=two_variances,
-    wrong=LAST["published_claim"] | MORE["published_claim"],
+    wrong=LAST["published_claim"] | MORE["published_claim"] | EIGHTH["published_claim"],
     then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's ratio is even larger than that of the published version.",
 )
 def published_claim(var_x, var_z):

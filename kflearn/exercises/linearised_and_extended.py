@@ -8,6 +8,7 @@ from kflearn.exercises._judge import track
 from kflearn.exercises._linearised_and_extended import WRONG
 from kflearn.exercises._radar import FAILING, MARKS, PASSING, recording
 from kflearn.exercises._radar_signs import SIGNS
+from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
@@ -42,7 +43,11 @@ def radar_states(rng):
         "The entry in row 1, column 2 is the one: `J = claimed(x)`, then `J[1, 2] = -J[1, 2]`, then `return J`.",
     ],
     inputs=radar_states,
-    wrong=WRONG["mended_slope"] | THIRD["mended_slope"] | FOURTH["mended_slope"] | FIFTH["mended_slope"],
+    wrong=WRONG["mended_slope"]
+    | THIRD["mended_slope"]
+    | FOURTH["mended_slope"]
+    | FIFTH["mended_slope"]
+    | EIGHTH["mended_slope"],
     rtol=1e-11,
     fixed={"x": "the state is place and velocity in the plane: always four numbers"},
     then="One wrong sign among eight entries makes no error message. The comparison takes three lines, so do it for every filter you write.",

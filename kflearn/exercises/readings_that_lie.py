@@ -6,11 +6,22 @@ from kflearn import angle_difference
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
 from kflearn.exercises._readings_that_lie import WRONG
+from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import shut
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_gates import WRONG as MORE
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
-from kflearn.exercises._speaker import FAILING, PASSING, of_one, of_two, off, recording, sorts_raw
+from kflearn.exercises._speaker import (
+    FAILING,
+    PASSING,
+    averages_raw,
+    of_one,
+    of_two,
+    off,
+    outvoted,
+    recording,
+    sorts_raw,
+)
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
@@ -77,7 +88,12 @@ def steps_shut(away, P, Q, R):
 
 
 def refusals(rng, n):
-    """Refused readings that cluster at two places, one of them near north, a new reading and a width; none on its edge."""
+    """Refused readings that cluster at two places, one of them near north, a new reading and a width.
+
+    None is on its edge; for n = 0 two of three are.
+    """
+    if n == 0:
+        return np.array([358.0, 2.0, 40.0]), 0.0, 2.0
     places = rng.choice([2.0, 357.0, 40.0], n) + rng.choice([-9, -6.5, -3, 0, 3, 6.5, 9], n)
     return np.mod(places, 360), float(rng.choice([1, 358, 41])), float(rng.choice([5.25, 8.25, 11.25]))
 
@@ -88,8 +104,8 @@ def refusals(rng, n):
         "`angle_difference` takes whole arrays, and `np.sum` of an array of True and False counts the True.",
         "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
     ],
-    inputs=in_turn(refusals, 2, 5, 3, 8),
-    wrong=WRONG["agreeing"] | MORE["agreeing"] | THIRD["agreeing"] | FOURTH["agreeing"],
+    inputs=in_turn(refusals, 2, 5, 3, 8, 0),
+    wrong=WRONG["agreeing"] | MORE["agreeing"] | THIRD["agreeing"] | FOURTH["agreeing"] | EIGHTH["agreeing"],
     then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
 )
 def agreeing(refused, reading, width):
@@ -162,7 +178,7 @@ def gated_step(x, P, reading, Q, R):
             unit="°",
         ),
     ],
-    signs=[sorts_raw],
+    signs=[sorts_raw, averages_raw, outvoted],
     form=series,
     passing=PASSING,
     failing=FAILING,

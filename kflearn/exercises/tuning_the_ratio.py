@@ -6,6 +6,7 @@ import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_balance import WRONG as LATER
+from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import KNOBS
 from kflearn.exercises._slips_practice import WRONG as SLIPS
@@ -103,7 +104,7 @@ def recordings_at_rest(rng, n):
     ],
     inputs=in_turn(recordings_at_rest, 250, 400, 1000),
     rtol=5e-3,
-    wrong=MORE["three_sigma"] | LATER["three_sigma"] | SEVENTH["three_sigma"],
+    wrong=MORE["three_sigma"] | LATER["three_sigma"] | SEVENTH["three_sigma"] | EIGHTH["three_sigma"],
     then="With R nine times too large the gain at Q = R falls from 0.62 to 0.28, and the estimate comes late.",
 )
 def three_sigma(at_rest):
@@ -132,7 +133,7 @@ def drifting_recordings(rng, n):
         lambda readings: np.mean(abs(np.diff(readings))) ** 2 * np.pi / 4,
         lambda readings: (1.4826 * np.median(abs(np.diff(readings)))) ** 2 / 2,
     ],
-    wrong=MORE["R_with_drift"] | SLIPS["R_with_drift"] | LATER["R_with_drift"],
+    wrong=MORE["R_with_drift"] | SLIPS["R_with_drift"] | LATER["R_with_drift"] | EIGHTH["R_with_drift"],
     then="It works as long as the drift from one reading to the next is small beside the noise. What would a sudden step of the source do to it?",
 )
 def R_with_drift(readings):

@@ -8,6 +8,7 @@ from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
 from kflearn.exercises._slips_balance import WRONG as LATER
+from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
@@ -104,7 +105,7 @@ def first_measurements(rng, n):
         "`A = np.linalg.inv(H)`, then `return A @ z, A @ R @ A.T`",
     ],
     inputs=in_turn(first_measurements, 1, 2, 3, 2),
-    wrong=MORE["auto_start"] | SLIPS["auto_start"],
+    wrong=MORE["auto_start"] | SLIPS["auto_start"] | EIGHTH["auto_start"],
     then="A correction that starts from any x with a P that grows beyond all bounds tends to the same x and P: this is the start of somebody who knew nothing.",
 )
 def auto_start(z, H, R):

@@ -65,10 +65,10 @@ def number(name, value, positive=False, least=None) -> float:
     return array.item()
 
 
-def time_steps(name, value) -> np.ndarray:
-    """Seconds: one number above 0, or an array (..., T), one for each step, of numbers that are 0 or more."""
+def time_steps(name, value, zero=False) -> np.ndarray:
+    """Seconds: one number above 0 (with `zero`, 0 or more), or an array (..., T) of numbers that are 0 or more."""
     array = numbers(name, value)
-    if array.ndim == 0:
+    if array.ndim == 0 and not zero:
         return np.array(number(name, value, positive=True))
     if (array < 0).any():
         raise ValueError(f"{name} must be at least 0 at each step, found {array[array < 0][0]:g}")

@@ -32,7 +32,7 @@ def discretise(A, L, q, dt) -> Discrete:
     q : float or array_like (p, p)
         Intensity of the noise: the variance that the sum of its pushes gains in a second.
     dt : float or array_like (..., T)
-        Seconds: one number above 0, or one for each step, 0 or more.
+        Seconds, 0 or more: one number, or one for each step. In 0 s nothing moves: F = I and Q = 0.
 
     Returns
     -------
@@ -63,7 +63,7 @@ def discretise(A, L, q, dt) -> Discrete:
     n = A.shape[-1]
     L = check.shape("L", check.matrix("L", L, n, None), (n, None), exact=True)
     q = check.shape("q", check.covariance("q", q, L.shape[-1]), (None, None), exact=True)
-    dt = check.time_steps("dt", dt)
+    dt = check.time_steps("dt", dt, zero=True)
     with np.errstate(all="ignore"):
         F, Q = _van_loan(A, L @ q @ L.T, dt)
     if not (np.isfinite(F).all() and np.isfinite(Q).all()):

@@ -72,7 +72,7 @@ MODELS = [
     ("L of three", lambda a: discretise(I2, np.ones((3, 1)), 1, 1), "L", "(2, any), got (3, 1)"),
     ("q negative", lambda a: discretise(I2, [[0], [1]], -1, 1), "q", "semi-definite, found -1"),
     ("q of two", lambda a: discretise(I2, [[0], [1]], I2, 1), "q", "(1, 1), got (2, 2)"),
-    ("no time for A", lambda a: discretise(I2, [[0], [1]], 1, 0), "dt", "positive, got 0"),
+    ("negative time for A", lambda a: discretise(I2, [[0], [1]], 1, -1), "dt", "at least 0 at each step, found -1"),
     ("growth beyond floats", lambda a: discretise(I2, [[0], [1]], 1, 1e4), "dt", "shorter: in 10000 s"),
     ("acceleration text", lambda a: constant_velocity(1, "fast", 1), "acceleration", "found text"),
     ("massless cart", lambda a: cart(1, 0, I2, 1), "mass", "positive, got 0"),

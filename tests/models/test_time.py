@@ -124,6 +124,14 @@ def test_a_fast_decay_does_not_overflow():
     np.testing.assert_allclose(F[1, 0, 0], np.exp(-1), rtol=1e-12)
 
 
+@pytest.mark.parametrize("dt", [0, 0.0, [0.0, 0.0]])
+def test_in_no_time_nothing_moves(dt):
+    F, Q = discretise(A, L, 0.7, dt)
+    assert F.shape == Q.shape == (*np.shape(dt), 2, 2)
+    assert (np.eye(2) == F).all()
+    assert not Q.any()
+
+
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
 def test_the_unit_does_not_matter(unit):
     Q = discretise(A, L, 0.7 * unit**2, 2.0).Q
