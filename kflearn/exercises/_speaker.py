@@ -186,9 +186,9 @@ def averages_raw(answer, answers, recordings):
 
 def outvoted(answer, answers, recordings):
     """A running median of too few readings."""
-    found = re.search(
-        r"(?:running_median|median_filter)\(.*?, *(?:window=|size=)?(\d+)", _code_of.text_of(answer) or ""
-    )
+    text = _code_of.text_of(answer) or ""
+    found = re.search(r"(?:running_median|median_filter)\(.*?, *(?:window=|size=)?(\d+)", text)
+    found = found or ("median(" in text and re.search(r"sliding_window_view\(.*?, *(\d+)\)", text))
     if found and 2 < int(found[1]) < 2 * LONGEST:
         half = int(found[1]) // 2 + 1
         return f"A median of {found[1]} is outvoted by {half} readings of an echo, and these echoes last up to {LONGEST}. A window must be longer than two echoes, or something else must decide. And what do the first fifteen together say? They may begin with an echo."

@@ -113,7 +113,7 @@ ANSWERS = [
     (OPEN, _radar.raw, "wrong", "Those are the raw readings"),
     ("extended.winner", "the LKF", "right", ""),
     ("extended.winner", "neither", "wrong", "There was a difference"),
-    ("extended.winner", "UKF", "wrong", "“UKF” is not among the choices"),
+    ("extended.winner", "UKF", "wrong", "The unscented filter is not one of the two"),
     ("extended.winner", 2, "wrong", "A word is wanted"),
     ("extended.true_starts", lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0)), "right", "as well"),
     ("extended.true_starts", lambda mean, P0, normal: mean + normal @ np.linalg.cholesky(P0), "right", ""),

@@ -78,7 +78,7 @@ RIGHT = [
     ("bearing_of_a_sound.is_a_covariance", lambda P: (abs(P - P.T) <= 1e-9).all() and (eig(P) >= 0).all()),
     ("bearing_of_a_sound.is_a_covariance", lambda P: np.allclose(P, P.T) and np.linalg.eigvals(P).min() > -1e-9),
     ("bearing_of_a_sound.is_a_covariance", lambda P: cholesky(P + 1e-9 * np.eye(len(P)))),
-    ("readings_that_lie.agreeing", lambda old, z, w: int(sum(abs(angle_difference(old, z)) < w))),
+    ("readings_that_lie.agreeing", lambda old, z, w: int(sum(abs(angle_difference(old, z)) <= w))),
     ("temperature_and_free_fall.room_filter", package),
     ("train_and_ship.start_variance", lambda a, b, c: np.mean((np.linspace(a, b, 20001) - c) ** 2)),
     ("numerics.posterior", with_trace(np.linalg.det)),

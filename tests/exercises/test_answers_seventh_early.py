@@ -157,7 +157,7 @@ SPEAKERS = [
     (densest, "of 28 long echoes your filter is wholly at the echo", "pulls"),
     (lambda z: medians()(z) - 5, "The largest error is", "short way round?"),
     (lambda z: medians(61)(z), "behind the walking speaker", "short way round?"),
-    (plain, "before they end, it has come to them", "wholly at the echo"),
+    (plain, "at their end it is", "wholly at the echo"),
 ]
 
 

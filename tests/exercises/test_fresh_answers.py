@@ -115,7 +115,7 @@ OPEN = [
     ("is_the_filter_honest.unknown_sensor", lambda z: (np.stack([z, 0 * z], 1), np.tile(np.eye(2), (100, 1, 1))),
      "are the readings themselves", "Does each recording get"),
     ("readings_that_lie.speaker", lambda z: np.full(len(z), 180.0), "one bearing for a whole", "Do echoes of"),
-    ("readings_that_lie.speaker", gate(patience=8), "before they end, it has come", "gate open again"),
+    ("readings_that_lie.speaker", gate(patience=8), "at their end it is 100 % of the way", "gate open again"),
     ("readings_that_lie.speaker", gate(patience=np.inf), "gate open again", "too early"),
     ("train_and_ship.cart_with_gaps", cart.white(0), "white noise", "start's P"),
     ("train_and_ship.cart_with_gaps", cart_with(lambda dt, sd: sd**2 * np.outer([dt / 2, 1], [dt / 2, 1])),
