@@ -32,6 +32,13 @@ def has(function, pattern) -> bool:
     return text is None or re.search(pattern, text) is not None
 
 
+def nothing(function) -> str:
+    """What is said of a function that has returned None, or literal dots, for all inputs."""
+    if re.search(r"\n\s+if\b[^\n]*:\s+return +(?!None|\.\.\.)\S", text_of(function) or ""):
+        return "For the inputs that were tried your function returns nothing: its `return` stands in an `if` that was never true."
+    return "Your function returns nothing yet. If it is written, is its `return` missing?"
+
+
 def _all(code):
     """A function's code, and that of the functions and loops inside it."""
     yield code

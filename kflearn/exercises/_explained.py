@@ -75,9 +75,10 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
         remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
     if not remark and sizes and isinstance(error, IndexError):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
-    if not remark and "Singular" in str(error):
+    singular = isinstance(error, np.linalg.LinAlgError)
+    if not remark and singular:
         remark = _of_the_diagonal(answer)
-    if not remark and sizes and number and isinstance(error, ValueError) and "Singular" not in str(error):
+    if not remark and sizes and number and isinstance(error, ValueError) and not singular:
         remark = _of_shapes(error, sentence)
     return status, f"{sentence} {remark}".rstrip()
 

@@ -243,9 +243,7 @@ class FunctionExercise(Exercise):
             if number == 0:
                 printed.close_after_first(len(self.cases))
         if all(map(unfinished, results)):
-            return Outcome(
-                "not attempted", "Your function returns nothing yet. If it is written, is its `return` missing?"
-            )
+            return Outcome("not attempted", _code_of.nothing(answer))
         rights = [self._solve(*copy.deepcopy(case)) for case in self.cases]
         faults = [self._compare(*pair, reveal=True) for pair in zip(results, rights, strict=True)]
         if not any(faults):

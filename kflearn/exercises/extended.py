@@ -25,7 +25,7 @@ def believed_starts(rng, runs):
         "Standard normal numbers have variance 1. Multiply column i by the *root* of P0[i, i], then add mean[i].",
         "`return mean + normal * np.sqrt(np.diag(P0))` (one row a run; P0 is diagonal).",
     ],
-    inputs=in_turn(believed_starts, 2, 3, 6, 1),
+    inputs=in_turn(believed_starts, 2, 3, 12, 1),
     wrong=WRONG["true_starts"] | THIRD["true_starts"] | FOURTH["true_starts"],
     also=[lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0))],  # a Gaussian is symmetric
     fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},

@@ -65,7 +65,7 @@ def table_length():
     otherwise=lambda speed: (
         f"Your answer adds {(speed - 10) / 3:.3g} m/s for each of the 3 m. Which two entries of P make this number?"
     ),
-    then="In lesson 3 this is K₂, the second entry of the gain: corner over variance. With a tape that errs itself, its variance is added below the line, and the step becomes smaller.",
+    then="The factor 6/13 is what lesson 3 calls K₂, the second entry of the gain: corner over variance. With a tape that errs itself, its variance is added below the line, and the step becomes smaller.",
 )
 def told_speed():
     """The mean velocity of the carts that stand 3 m further than predicted; P = [[13, 6], [6, 4]], 10 m/s expected."""

@@ -227,11 +227,12 @@ def test_what_is_not_found_leads_to_the_start(chromium, address, site, place):
 
 
 def sheets(pdf):
-    """How many pieces of text each page of a PDF has."""
+    """How many pieces of text and pictures each page of a PDF has."""
     objects = dict(re.findall(rb"(?s)(\d+) 0 obj\n(.*?)\nendobj", pdf))
     pages = [body for body in objects.values() if re.search(rb"/Type /Page\b", body)]
     streams = [objects[re.search(rb"/Contents (\d+) 0 R", page)[1]] for page in pages]
-    return [zlib.decompressobj().decompress(stream.split(b"stream\n", 1)[1]).count(b" Tf") for stream in streams]
+    drawn = [zlib.decompressobj().decompress(stream.split(b"stream\n", 1)[1]) for stream in streams]
+    return [page.count(b" Tf") + page.count(b" Do\n") for page in drawn]
 
 
 @pytest.mark.browser
