@@ -21,7 +21,7 @@ def forgot_return(x, P, z, R):
     x + P
 
 
-def sometimes(x, P, z, R):
+def never_true(x, P, z, R):
     if x == 0.95:
         return z, R
 
@@ -112,7 +112,7 @@ CALLED = [
     (correct, talks, "right", "✓"),
     (spread, in_place, "right", "✓"),
     (correct, forgot_return, "not attempted", "… Not attempted yet. Your function returns nothing yet."),
-    (correct, sometimes, "not attempted", "its `return` stands in an `if` that was never true."),
+    (correct, never_true, "not attempted", "its `return` stands in an `if` that was never true."),
     (correct, half_done, "not attempted", "A `...` is still in your function"),
     (spread, half_done_matrix, "not attempted", "A `...` is still in your function"),
     (correct, todo, "not attempted", "A `...` is still in your function"),
