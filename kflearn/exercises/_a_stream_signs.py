@@ -64,8 +64,8 @@ def makes_smaller(answer, answers, recordings):
         return f"Your filter leaves {100 * idle:.0f} % of the readings that arrive on time unused: P is as predicted there. Here all readings are good."
     if np.mean(abs(more - (own / whole)[:, None, None] * wanted).max(axis=(1, 2)) < 0.01 * whole) < 0.9:
         return (
-            "Where a reading arrives on time, your P is not the P of the row before, predicted and corrected with the H and R of this row. Are readings that were used "
-            "before still in it, and is P corrected as (I − K H) P?"
+            "Where a reading arrives on time, your P is not the P of the row before, predicted and corrected with the H and R of this row. Is the step the time since the row "
+            "before, are readings that were used before still in it, and is P corrected as (I − K H) P?"
         )
     low, high = np.quantile(whole / own, [0.1, 0.9])
     often = f"{low:.2g} times" if high < 1.02 * low else f"{low:.2g} to {high:.2g} times (in most rows)"

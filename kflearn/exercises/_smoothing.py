@@ -69,7 +69,7 @@ WRONG["smoothed_cov"] = {
     ),
     "P on both sides": (
         lambda P, P_back: P @ np.linalg.inv(P + P_back) @ P,
-        "That is what is taken off P. Either P minus this, or P_back in place of the last P.",
+        "That is what is taken off P: the covariance that is wanted is P minus this.",
     ),
     "P_back on both sides": (
         lambda P, P_back: P_back @ np.linalg.inv(P + P_back) @ P_back,
