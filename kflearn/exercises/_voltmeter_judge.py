@@ -60,10 +60,9 @@ def two_series(answer, truth):
     except (TypeError, ValueError):
         return f"should be a pair, estimates and variances, with {STEPS} numbers each"
     for name, found in (("estimates", estimates), ("variances", variances)):
-        if found.size == 1 and np.isnan(found).all():  # None
-            return f"should hold {STEPS} {name}, and they are missing: return both, one of each for every reading"
         if found.size != STEPS:
-            return f"should hold {STEPS} {name}, but it holds {found.size}: one for each reading, the first included"
+            count = 0 if np.isnan(found).all() else found.size  # None holds none
+            return f"should hold {STEPS} {name}, but it holds {count}: one for each reading, the first included"
     return None
 
 
