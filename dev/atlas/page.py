@@ -31,7 +31,7 @@ There are three tiny problems, and each library got those that it can take: a ra
 | `kflearn` | one step before the first reading | skipped | the other part is used | with log 2π | refused (ValueError) |
 """
 READ = """
-A cell that says *NaN from there on, P stays finite* is the dangerous one: the covariance shrinks as if the reading had been used, so whoever looks at P alone sees nothing.
+A cell that says *NaN from there on, P stays finite* is the dangerous one: the covariance shrinks as if the reading had been used, so P alone does not show it.
 
 ## From one start to the other
 

@@ -86,7 +86,7 @@ def leaving(stays, T):
     wrong={
         "columns sum to one": (
             lambda stays, T: leaving(stays, T).T,
-            "Your columns sum to one. Row i is “from mode i”: whoever leaves it goes somewhere, so the rows must.",
+            "Your columns sum to one. Row i is “from mode i”: each way out of it leads somewhere, so the rows must.",
         ),
         "clock forgotten": (
             lambda stays, T: leaving(stays, 1.0),

@@ -9,7 +9,7 @@ from kflearn import angle_difference, bearings
 from kflearn.exercises._a_boat_signs import takes_the_nearest
 from kflearn.exercises._slips_eighth import WRONG
 from kflearn.exercises._speaker import medians, plain
-from tests.exercises.hand_in import asked, assert_right, assert_told
+from tests.exercises.hand_in import asked, assert_right, assert_row, assert_told, rows_of
 
 HOMES = {
     "gaussian_fusion": "fuse published_claim",
@@ -19,20 +19,11 @@ HOMES = {
     "linearised_and_extended": "mended_slope",
     "take_it_home": "start_covariance with_the_constant use_what_is_there",
 }
-LESSONS = {name: lesson for lesson, names in HOMES.items() for name in names.split()}
 
 
-def rows():
-    """The exercise, the label and the sentence of each row of the tables."""
-    for name, table in WRONG.items():
-        for label, (_, words) in table.items():
-            yield pytest.param(f"{LESSONS[name]}.{name}", label, words, id=f"{name}: {label}")
-
-
-@pytest.mark.parametrize(("name", "label", "words"), list(rows()))
+@pytest.mark.parametrize(("name", "label", "words"), rows_of(WRONG, HOMES))
 def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    answer, _ = asked(name).wrong[label]
-    assert_told(name, answer, words)
+    assert_row(name, label, words)
 
 
 # ---- replies that say another thing than before

@@ -6,7 +6,7 @@ import pytest
 from kflearn import angle_difference
 from kflearn.exercises._slips_seventh_early import WRONG
 from kflearn.exercises._speaker import medians, plain
-from tests.exercises.hand_in import asked, assert_right, assert_told
+from tests.exercises.hand_in import asked, assert_right, assert_row, assert_told, rows_of
 
 HOMES = {
     "newton_to_state_space": "overwritten",
@@ -17,20 +17,11 @@ HOMES = {
     "is_the_filter_honest": "draw_start",
     "bearing_of_a_sound": "right_update",
 }
-LESSONS = {name: lesson for lesson, names in HOMES.items() for name in names.split()}
 
 
-def rows():
-    """The exercise, the label and the sentence of each row of the table."""
-    for name, table in WRONG.items():
-        for label, (_, words, *_) in table.items():
-            yield pytest.param(f"{LESSONS[name]}.{name}", label, words, id=f"{name}: {label}")
-
-
-@pytest.mark.parametrize(("name", "label", "words"), list(rows()))
+@pytest.mark.parametrize(("name", "label", "words"), rows_of(WRONG, HOMES))
 def test_each_row_of_the_table_is_in_its_exercise(name, label, words):
-    answer, _ = asked(name).wrong[label]
-    assert_told(name, answer, words)
+    assert_row(name, label, words)
 
 
 def entry_by_entry(z, H, R):

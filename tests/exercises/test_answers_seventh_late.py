@@ -10,7 +10,7 @@ from kflearn.exercises._cart_with_gaps import motion
 from kflearn.exercises._results import of_gaps
 from kflearn.exercises._slips_seventh_late import WRONG
 from kflearn.exercises._words import one_of
-from tests.exercises.hand_in import asked, assert_right, assert_told
+from tests.exercises.hand_in import asked, assert_right, assert_row, assert_told, rows_of
 
 HOMES = {
     "temperature_and_free_fall": "mended_step",
@@ -27,20 +27,11 @@ HOMES = {
     "history": "exponential_weights",
     "take_it_home": "use_what_is_there",
 }
-LESSONS = {name: lesson for lesson, names in HOMES.items() for name in names.split()}
 
 
-def rows():
-    """The exercise, the label and the sentence of each row of the tables."""
-    for name, table in WRONG.items():
-        for label, (_, words) in table.items():
-            yield pytest.param(f"{LESSONS[name]}.{name}", label, words, id=f"{name}: {label}")
-
-
-@pytest.mark.parametrize(("name", "label", "words"), list(rows()))
+@pytest.mark.parametrize(("name", "label", "words"), rows_of(WRONG, HOMES))
 def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    answer, _ = asked(name).wrong[label]
-    assert_told(name, answer, words)
+    assert_row(name, label, words)
 
 
 def test_a_loop_over_the_time_gets_the_sentence_of_the_squares():
