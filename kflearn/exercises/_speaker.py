@@ -170,6 +170,9 @@ def of_two(answers, recordings):
     return Likely(said) if isinstance(words, Likely) else said
 
 
+BEGINNING = "And what do the first fifteen together say? They may begin with an echo."
+
+
 def leads_to(answer, readings, place, within):
     """Whether such readings, again and again, lead an answer to this place."""
     last = np.asarray(answer(np.resize(np.asarray(readings, float), STEPS)), float)[-100:]
@@ -191,7 +194,7 @@ def outvoted(answer, answers, recordings):
     found = found or ("median(" in text and re.search(r"sliding_window_view\(.*?, *(\d+)\)", text))
     if found and 2 < int(found[1]) < 2 * LONGEST:
         half = int(found[1]) // 2 + 1
-        return f"A median of {found[1]} is outvoted by {half} readings of an echo, and these echoes last up to {LONGEST}. A window must be longer than two echoes, or something else must decide. And what do the first fifteen together say? They may begin with an echo."
+        return f"A median of {found[1]} is outvoted by {half} readings of an echo, and these echoes last up to {LONGEST}. A window must be longer than two echoes, or something else must decide. {BEGINNING}"
     return None
 
 
@@ -199,7 +202,7 @@ def sorts_raw(answer, answers, recordings):
     """A median of bearings as plain numbers: there 120 is in the middle of 1, 2, 120, 358, 359."""
     sorts = re.search(r"median(_filter)?\(", _code_of.text_of(answer) or "")
     if sorts and leads_to(answer, [359, 1, 120, 358, 2], 120, 5):
-        return "You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. And what do the first fifteen together say? They may begin with an echo."
+        return f"You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. {BEGINNING}"
     return None
 
 
