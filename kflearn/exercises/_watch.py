@@ -78,9 +78,11 @@ def _limit(seconds):
     with contextlib.suppress(RuntimeError):  # Python in a browser has one thread: nobody there can interrupt it
         timer.start()
     try:
-        yield
-    finally:
-        with lock:
-            over.set()  # from here on nothing is interrupted any more
+        try:
+            yield
+        finally:
+            with lock:
+                over.set()  # from here on nothing is interrupted any more
+    finally:  # also where the interruption arrives in the line above
         timer.cancel()
         signal.signal(signal.SIGINT, before)
