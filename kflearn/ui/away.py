@@ -4,11 +4,12 @@ import numpy as np
 from matplotlib.text import Text
 from matplotlib.transforms import IdentityTransform
 
-FAR, ROOM, SIDE = 3, 4, 24  # points: what counts as outside; between arrow and edge; between its middle and a side
+FAR, ROOM = 3, 4  # points: what counts as outside; between arrow and edge
+HALF, WIDE = 3.5, 46  # points: half of an arrow; an arrow and its number
 
 
 class Away(Text):
-    """Where a line is furthest above or below its axes: an arrow, and the value there. It follows the line by itself.
+    """Where a line is furthest above or below its axes: an arrow, and beside it the value. It follows the line.
 
     Parameters
     ----------
@@ -18,7 +19,7 @@ class Away(Text):
 
     def __init__(self, line):
         box = dict(facecolor="white", edgecolor="none", alpha=0.8, pad=1)
-        super().__init__(color=line.get_color(), fontsize=9, ha="center", zorder=line.get_zorder() + 1, bbox=box)
+        super().__init__(color=line.get_color(), fontsize=9, zorder=line.get_zorder() + 1, bbox=box)
         self.line = line
         self.set(transform=IdentityTransform(), in_layout=False)
         line.axes.add_artist(self)
@@ -37,17 +38,22 @@ class Away(Text):
         if not np.isfinite(out).any() or np.nanmax(out) < FAR * point:
             return
         k = np.nanargmax(out)
-        up, side = y[k] > box.y1, SIDE * point
-        middle = min(max(x[k], box.x0 + side), box.x1 - side)
-        self.set(text=f"{'▲' if up else '▼'} {short(values[k])}", va="top" if up else "bottom")
-        self.set_position((middle, self._edge(box, middle, side, up, ROOM * point)))
+        up, half, wide = y[k] > box.y1, HALF * point, WIDE * point
+        arrow, value, place = "▲" if up else "▼", short(values[k]), min(max(x[k], box.x0 + half), box.x1 - half)
+        if place - half + wide <= box.x1:  # the number fits at the right of its arrow
+            left, right = place - half, place - half + wide
+            self.set(text=f"{arrow} {value}", ha="left", x=left)
+        else:
+            left, right = place + half - wide, place + half
+            self.set(text=f"{value} {arrow}", ha="right", x=right)
+        self.set(va="top" if up else "bottom", y=self._height(box, left, right, up, ROOM * point))
 
-    def _edge(self, box, middle, side, up, room):
-        """The height at which it stands: beside the edge, or beside a legend that is there."""
+    def _height(self, box, left, right, up, room):
+        """Beside the edge, or beside a legend that is there."""
         edge, legend = box.y1 if up else box.y0, self.line.axes.get_legend()
         if legend:
             taken = legend.get_window_extent()
-            beside = taken.x0 - side < middle < taken.x1 + side
+            beside = taken.x0 < right and left < taken.x1
             if beside and abs((taken.y1 if up else taken.y0) - edge) < 5 * room:
                 edge = taken.y0 if up else taken.y1
         return edge - room if up else edge + room
