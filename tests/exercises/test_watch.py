@@ -2,6 +2,7 @@
 
 import signal
 import threading
+import time
 import types
 
 import pytest
@@ -21,6 +22,23 @@ def test_a_loop_that_never_ends_is_stopped(monkeypatch):
     assert outcome.status == "raised"
     assert "It was stopped after" in outcome.text and "Does a loop never end?" in outcome.text
     assert sum(range(1000)) == 499_500  # nothing is raised later
+
+
+def test_what_only_waits_is_stopped_later(monkeypatch):
+    """On a busy machine a right answer waits for the processor; it gets three times the time, and no more."""
+    monkeypatch.setattr("kflearn.exercises._watch.SECONDS", 0.3)
+
+    def waits(seconds):
+        def corrected(x, P, z, R):
+            time.sleep(seconds / 20)  # there are twenty trials
+            return correct._solve(x, P, z, R)
+
+        return correct.check(corrected).status
+
+    assert waits(0.5) == "right"
+    began = time.monotonic()
+    assert waits(60) == "raised"
+    assert 0.8 < time.monotonic() - began < 5
 
 
 def test_a_loop_stopped_in_its_last_line_leaves_ctrl_c_as_it_was(monkeypatch):
