@@ -57,6 +57,10 @@ def wide(sigmas):
 
 WRONG = {
     "is_refused": {
+        "half turns": (
+            lambda z, x, P, R, n: abs((z - x + 90) % 180 - 90) > n * np.sqrt(P + R),
+            "A reading from behind, 180° away, passes as if it were near: take whole turns off, not half ones.",
+        ),
         "the NIS": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 / (P + R),
             "You return the NIS. Compare it with the limit, sigmas², and return True or False.",

@@ -25,7 +25,7 @@ from kflearn.exercises._speaker import (
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
-SHARES = [0.6, 1.5, 0.9, 2.5, 0.3, 1.03, 0.45, 1.1, 0.97, 3.5, 0.2, 1.25, 0.75, 1.8, 0.55, 1.03, 0.4, 0.65, 0.25, 0.85]
+SHARES = [0.6, 1.5, 0.9, 2.5, 0.3, 1.03, 0.45, 1.1, 0.97, 3.5, 0.2, 1.25, 0.75, 9.0, 0.55, 1.03, 0.4, 0.65, 0.25, 0.85]
 
 
 def readings(rng, trial):
@@ -90,11 +90,12 @@ def steps_shut(away, P, Q, R):
 def refusals(rng, n):
     """Refused readings that cluster at two places, one of them near north, a new reading and a width.
 
-    None is on its edge; for n = 0 two of three are.
+    None is on its edge; for n = 0 two of three are. For n = 8 one comes from behind.
     """
     if n == 0:
         return np.array([358.0, 2.0, 40.0]), 0.0, 2.0
     places = rng.choice([2.0, 357.0, 40.0], n) + rng.choice([-9, -6.5, -3, 0, 3, 6.5, 9], n)
+    places[0] += 180 * (n == 8)
     return np.mod(places, 360), float(rng.choice([1, 358, 41])), float(rng.choice([5.25, 8.25, 11.25]))
 
 
@@ -113,7 +114,7 @@ def agreeing(refused, reading, width):
     return np.sum(abs(angle_difference(refused, reading)) <= width)
 
 
-GATES = [0.5, 1.3, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 3.5, 0.8, 1.1, 0.25, 1.9, 1.25]
+GATES = [0.5, 11.8, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0.6, 3.5, 0.8, 1.1, 0.25, 1.9, 1.25]
 
 
 def steps(rng, trial):

@@ -143,6 +143,32 @@ def test_glossary():
         assert [f"{int(link[:2])}" for link in lessons(lesson)] == re.findall(r"\[(\d+)\]", lesson), english
 
 
+GENERAL = "data error equation estimate filter matrix method model noise order point process state system test two walk".split()
+
+
+def stems(english):
+    """The beginnings of a term's own words: of "whiteness test" only "white"; all of them if each is general."""
+    words = re.findall(r"[a-zé]+", english.lower())
+    own = [word for word in words if word not in GENERAL and len(word) > 2] or words
+    return [word[: max(4, len(word) - 4)] for word in own]
+
+
+def said(name):
+    """What a lesson says, in small letters."""
+    cells = nbformat.read(NOTEBOOKS / name, as_version=4).cells
+    return "\n".join(cell.source for cell in cells if cell.cell_type == "markdown").lower()
+
+
+def test_what_the_glossary_names_occurs_in_its_lessons():
+    missing = [
+        (english, name)
+        for english, _, _, lesson in table(read("glossary"))
+        for name in lessons(lesson)
+        if not any(stem in said(name) for stem in stems(english))
+    ]
+    assert not missing
+
+
 # ---- the errata museum
 
 
