@@ -1,4 +1,4 @@
-"""Which tests are slow: `make quick` leaves them out, `make test` does not."""
+"""Which tests are slow (`make quick` leaves them out, `make test` does not), and what to print if pytest itself breaks."""
 
 import pytest
 
@@ -23,7 +23,21 @@ SLOW = (  # beginnings of names: more than about a second, on a quiet machine
 )
 
 
+BROKEN = []
+
+
 def pytest_collection_modifyitems(items):
     for item in items:
         if item.nodeid.startswith(SLOW):
             item.add_marker(pytest.mark.slow)
+
+
+def pytest_internalerror(excrepr):
+    """A process that runs tests broke: what it said first is the cause, and everything later hides it."""
+    BROKEN.append(str(excrepr))
+
+
+def pytest_unconfigure(config):
+    if BROKEN and not hasattr(config, "workerinput"):
+        print(f"\nThe first of {len(BROKEN)} internal errors of pytest:\n{BROKEN[0]}")
+
