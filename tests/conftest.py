@@ -1,4 +1,4 @@
-"""Which tests are slow (`make quick` leaves them out, `make test` does not), and what to print if pytest itself breaks."""
+"""Which tests are slow (`make quick` leaves them out, `make test` does not), and what is printed if pytest breaks."""
 
 import pytest
 

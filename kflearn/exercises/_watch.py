@@ -51,16 +51,14 @@ def watched(printed):
     """Run code with its prints taken, without warnings, and no longer than SECONDS of work: then TooLong is raised."""
     with contextlib.redirect_stdout(printed), warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        with _limit(SECONDS):
+        main = threading.current_thread() is threading.main_thread()
+        with _limit(SECONDS) if main else contextlib.nullcontext():
             yield
 
 
 @contextlib.contextmanager
 def _limit(seconds):
     """Interrupt the main thread, where cells run, as Ctrl+C does; here that raises TooLong. In a browser, no limit."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
     lock, late, over, began = threading.Lock(), threading.Event(), threading.Event(), time.process_time()
 
     def interrupted(number, frame):
@@ -69,9 +67,7 @@ def _limit(seconds):
         (before if callable(before) else signal.default_int_handler)(number, frame)
 
     def stop():
-        end = time.monotonic() + 2 * seconds
-        while time.process_time() - began < seconds and time.monotonic() < end and not over.wait(seconds / 100):
-            pass  # other programs had the processor
+        _wait_for_work(seconds, began, over)
         with lock:
             if not over.is_set():
                 late.set()
@@ -90,3 +86,11 @@ def _limit(seconds):
     finally:  # also where the interruption arrives in the line above
         timer.cancel()
         signal.signal(signal.SIGINT, before)
+
+
+def _wait_for_work(seconds, began, over):
+    """Where other programs had the processor, wait until so much work is done; three times as long at most."""
+    end = time.monotonic() + 2 * seconds
+    while time.process_time() - began < seconds and time.monotonic() < end:
+        if over.wait(seconds / 100):
+            return

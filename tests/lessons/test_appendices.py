@@ -143,13 +143,14 @@ def test_glossary():
         assert [f"{int(link[:2])}" for link in lessons(lesson)] == re.findall(r"\[(\d+)\]", lesson), english
 
 
-GENERAL = "data error equation estimate filter matrix method model noise order point process state system test two walk".split()
+GENERAL = """data equation error estimate filter matrix method model noise order point process state system test two
+walk"""
 
 
 def stems(english):
     """The beginnings of a term's own words: of "whiteness test" only "white"; all of them if each is general."""
     words = re.findall(r"[a-zé]+", english.lower())
-    own = [word for word in words if word not in GENERAL and len(word) > 2] or words
+    own = [word for word in words if word not in GENERAL.split() and len(word) > 2] or words
     return [word[: max(4, len(word) - 4)] for word in own]
 
 
