@@ -16,7 +16,7 @@ SPEED, CLUTTER = 7.0, 7.5e-4
 
 def used_none(answer, answers, recordings):
     straight = [np.allclose(np.diff(a, n=2, axis=0), 0, atol=1e-9) for a in answers]
-    return "Your positions lie on a straight line: no reading has changed them." if all(straight) else None
+    return "Your positions lie on a straight line; the boat turns. Correct by the readings." if all(straight) else None
 
 
 def is_a_reading(answer, answers, recordings):
@@ -46,7 +46,7 @@ def other_columns(answer, answers, recordings):
     if np.median(turned) < 8 < error.min():
         return "Your columns are y and x. Wanted are x and y, in this order."
     if error[0] < 8 and error[1] > 25:
-        return "Your first column follows x, but the second one is not y. The state is x, v_x, y, v_y: take its columns 0 and 2."
+        return "Your first column follows x, but the second one does not follow y. The state is x, v_x, y, v_y: take its columns 0 and 2, in H as well."
     return None
 
 

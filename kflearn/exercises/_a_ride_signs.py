@@ -110,7 +110,7 @@ def trusts(answer, answers, recordings):
     if near(right**2):
         return "Your R is the square of the variance at rest. The variance is R already."
     if near(2 * right):
-        return "Your R is the sum of the variances of east and north. R is that of one axis: their mean."
+        return "Your R is twice the variance at rest, as the sum of east and north. R is that of one axis: their mean."
     ratio = np.median(found / right)
     if 0.6 < ratio < 1.7:
         return None

@@ -84,7 +84,7 @@ MARKS = [
         low=1.56,
         high=1.69,
         unit="m",
-        below="That is better than any filter can be that knows only what has arrived: are readings used before their `now`?",
+        below="That is less than the best filter of what has arrived has on these streams: by chance, or are readings used before their `now`?",
         above=likely(
             ORDER,
             ("Are F, Q and the prediction to `now` right?", predicted_right),

@@ -56,7 +56,7 @@ WRONG["matrix_R"] = {
     ),
     "np.cov": (
         lambda y, H, P: estimate(y, H, P, lambda y: np.cov(y.T)),
-        "`np.cov` takes the mean off and divides by N − 1. Here the mean is known to be 0: `y.T @ y / len(y)`.",
+        "The mean is taken off, and the divisor is N − 1, as in `np.cov`. The mean is known to be 0: `y.T @ y / len(y)`.",
     ),
     "summed": (
         lambda y, H, P: estimate(y, H, P, lambda y: y.T @ y),
@@ -101,7 +101,7 @@ WRONG["matrix_R"] = {
     ),
     "y yᵀ of all": (
         lambda y, H, P: y @ y.T / len(y) - H @ P @ H.T,
-        "`y @ y.T` has one row for each innovation. The rows of y are the innovations, so the sum of all y yᵀ is `y.T @ y`.",
+        "Your C has one row for each innovation, as `y @ y.T` has. The rows of y are the innovations, so the sum of all y yᵀ is `y.T @ y`.",
     ),
     "with a floor": (
         lambda y, H, P: np.maximum(estimate(y, H, P), 0.01),
@@ -118,7 +118,7 @@ WRONG["matrix_R"] = {
     ),
     "row for matrix": (
         lambda y, H, P: np.mean(y**2, axis=0) - H @ P @ H.T,
-        "You took a row of variances off the matrix, column by column. C is a matrix: `y.T @ y / len(y)`.",
+        "Here H P Hᵀ, a matrix, is taken off a row of variances. C is a matrix: `y.T @ y / len(y)`.",
     ),
     "all numbers": (
         lambda y, H, P: y.T @ y / y.size - H @ P @ H.T,
@@ -137,8 +137,8 @@ WRONG["matrix_R"] = {
 WRONG["weigh"] = {
     "as published": (
         multiplied,
-        "Still as published: between two logarithms you went through exp, and there a weight of e⁻⁸⁰⁰ becomes 0 for "
-        "ever. Add the logarithms instead.",
+        "As published, the way between two logarithms leads through exp, and there a weight of e⁻⁸⁰⁰ becomes 0 for "
+        "ever. Stay with the sum of the logarithms instead.",
     ),
     "unsafe sum": (
         unsafe,
@@ -199,7 +199,7 @@ WRONG["weigh"] = {
     ),
     "largest off, then through exp": (
         largest_off,
-        "You took the largest off first, which is right, but then went through exp once more: a weight of e⁻⁸⁰⁰ "
+        "The largest makes no trouble any more, but the low weights go through exp: e⁻⁸⁰⁰ "
         "becomes 0, and its logarithm −∞. Subtract log Σ exp(s) from s itself.",
     ),
     "multiplied logarithms": (

@@ -43,11 +43,11 @@ WRONG["true_radius"] = {
     ),
     "largest before erosion": (
         lambda d: disc_radius(largest(d)),
-        "Without erosion the largest region may be the cable, long and thin. Let the erosions decide which region it is.",
+        "The largest region of `differs` may be the cable, long and thin. Let the erosions decide which region it is.",
     ),
     "all cores": (
         lambda d: disc_radius(ndimage.binary_propagation(ndimage.binary_erosion(d, SQUARE, iterations=2), mask=d)),
-        "You grew everything that survives the erosions: take the largest of these regions first.",
+        "All regions that survive the erosions are counted here, in full: take the largest of them alone.",
     ),
     "all eroded": (
         lambda d: disc_radius(ndimage.binary_erosion(d, SQUARE, iterations=2)),
@@ -79,8 +79,8 @@ WRONG["true_radius"] = {
     ),
     "eight neighbours": (
         lambda d: disc_radius(neighbours(d, SQUARE)),
-        "You connected pixels across corners as well. Then stray pixels that touch the ball at a corner "
-        "count with it: label as the lesson does, without a second argument.",
+        "Pixels are connected across corners as well here, so stray pixels that touch the ball at a corner "
+        "count with it. Connect by sides alone: that needs no second argument.",
     ),
     "two diamonds": (
         lambda d: disc_radius(ndimage.binary_dilation(core(d), iterations=2)),

@@ -20,7 +20,7 @@ WRONG["coast"] = {
     ),
     "push on zeros": (
         lambda x, P, F, push, Q: (push, F @ P @ F.T + Q),
-        "P is right. The state still starts from zeros and is pushed from there: begin with x.",
+        "P is right. The state is the push alone, as if it still started from zeros: begin with x.",
     ),
     "P left": (
         lambda x, P, F, push, Q: (F @ x + push, P),
@@ -99,7 +99,7 @@ WRONG["coast"] = {
 WRONG["first_velocity"] = {
     "half": (
         lambda p, s, R, y: y / 2,
-        "Half of the innovation is what p = s gives, whatever both are. In general it is their ratio that decides.",
+        "Half of the innovation is what p = s and R = 0 give. In general all three variances decide.",
     ),
     "position share": (
         lambda p, s, R, y: p / (p + s + R) * y,
@@ -127,7 +127,7 @@ WRONG["first_velocity"] = {
     ),
     "deviations": (
         lambda p, s, R, y: np.sqrt(s) / np.sqrt(p + s + R) * y,
-        "You weighed with standard deviations. Gains are ratios of variances.",
+        "That is the root of the gain, times y, as if standard deviations were weighed. Gains are ratios of variances.",
     ),
     "sign": (
         lambda p, s, R, y: -s / (p + s + R) * y,
@@ -163,11 +163,11 @@ WRONG["first_velocity"] = {
 WRONG["gravity"] = {
     "as published": (
         lambda rows: 6.0,
-        "That is the published gravity, which never sleeps: a ball at rest is pushed into the floor.",
+        "You return 6 in every trial, as published: gravity never sleeps, and a ball at rest is pushed into the floor.",
     ),
     "never": (
         lambda rows: 0.0,
-        "Without any gravity the ball flies straight: only a ball at rest is free of it.",
+        "You return 0 in every trial. Without gravity the ball flies straight: only a ball at rest is free of it.",
     ),
     "last row only": (
         lambda rows: 0.0 if near(rows)[-1] else 6.0,
@@ -195,11 +195,11 @@ WRONG["gravity"] = {
     ),
     "one side": (
         lambda rows: 0.0 if np.all(rows - 210 < 1) else 6.0,
-        "Without the absolute value every ball above the floor counts as resting: rows count downwards.",
+        "Every ball above the floor counts as resting, as without the absolute value: rows count downwards.",
     ),
     "below the floor counts": (
         lambda rows: 0.0 if np.all(rows > 209) else 6.0,
-        "A row far below the floor counts as resting with you. Within 1 px means on both sides: 209 < row < 211.",
+        "A row of 211.5 counts as near with you. Within 1 px means on both sides: 209 < row < 211.",
     ),
     "mean of those seen": (
         lambda rows: 0.0 if near(np.nanmean(rows)) else 6.0,
@@ -208,7 +208,7 @@ WRONG["gravity"] = {
     ),
     "two pixels": (
         lambda rows: 0.0 if np.all(abs(rows - 210) < 2) else 6.0,
-        "Within 2 px is too wide: the text says 1 px, on both sides.",
+        "You return 0 also where one of the rows is 1.5 px off. Each must be less than 1 px from the floor.",
     ),
     "median": (
         lambda rows: 0.0 if near(np.median(rows)) else 6.0,
@@ -228,7 +228,7 @@ WRONG["gravity"] = {
     ),
     "exactly": (
         lambda rows: 0.0 if np.all(rows == 210) else 6.0,
-        "No detection is exactly 210. Within 1 px means: the absolute difference is below 1.",
+        "Of all trials only 210, 210, 210 gives 0. Within 1 px means: the absolute difference of each is below 1.",
     ),
     "three numbers": (
         lambda rows: np.where(near(rows), 0.0, 6.0),

@@ -22,7 +22,7 @@ WRONG = {
         ),
         "% 360": (
             lambda d: d % 360,
-            "`% 360` alone gives 0 to 360: a step of 3° to the left becomes 357° to the right.",
+            "That lies between 0 and 360, as by `% 360`: 3° to the left become 357° to the right.",
         ),
         "absolute value": (
             lambda d: abs((d + 180) % 360 - 180),
@@ -30,15 +30,15 @@ WRONG = {
         ),
         "absolute value first": (
             lambda d: abs(d) % 360,
-            "`abs` throws away the direction, and the result still goes up to 360.",
+            "The direction is lost, as by `abs`; and the result still goes up to 360.",
         ),
         "absolute value only": (
             lambda d: abs(d),
-            "`abs` throws away the direction and shortens nothing: 331 is as long a way as −331.",
+            "The direction is lost, as by `abs`, and nothing shortened: 331 is as long a way as −331.",
         ),
         "radians": (
             lambda d: (d + math.pi) % (2 * math.pi) - math.pi,
-            "You wrapped at π, as for radians; these are degrees, a turn is 360.",
+            "That wraps at π, as for radians; these are degrees, a turn is 360.",
         ),
         "radians returned": (
             lambda d: math.radians((d + 180) % 360 - 180),
@@ -46,11 +46,11 @@ WRONG = {
         ),
         "from 0 to 360 with half a turn": (
             lambda d: (d + 180) % 360,
-            "You moved up by half a turn and forgot to come back down: a difference of 0 becomes 180.",
+            "A difference of 0 becomes 180: after the remainder half a turn must come off.",
         ),
         "half a turn as period": (
             lambda d: (d + 90) % 180 - 90,
-            "You wrapped with a period of 180: a voice behind is then taken for one in front.",
+            "That wraps with a period of 180: a voice behind is then taken for one in front.",
         ),
         "only downwards": (
             lambda d: d - 360 if d > 180 else d,
@@ -66,7 +66,7 @@ WRONG = {
         ),
         "C's remainder": (
             lambda d: math.fmod(d + 180, 360) - 180,
-            "`fmod` keeps the sign of its first argument, as in C, so what lies below −180 becomes too low; Python's `%` does not.",
+            "What lies below −180 becomes too low: `fmod` and `int` cut towards zero, as C does; Python's `%` does not.",
         ),
         "the other way round": (
             lambda d: -((d + 180) % 360 - 180),
@@ -82,11 +82,11 @@ WRONG = {
         ),
         "half turns taken off": (
             lambda d: d % 180,
-            "`% 180` takes off half turns: a difference of 190 becomes 10, though that is on the other side. A turn is 360.",
+            "That takes off half turns: a difference of 190 becomes 10, though that is on the other side. A turn is 360.",
         ),
         "up twice": (
             lambda d: (d + 180) % 360 + 180,
-            "You moved up by half a turn twice; the second time it must be down.",
+            "A difference of 0 becomes 360: after the remainder half a turn must come off, not be added.",
         ),
         "two turns": (
             lambda d: next((d + 360 * k for k in (0, -1, 1, -2, 2) if abs(d + 360 * k) <= 180), d),
@@ -108,7 +108,7 @@ WRONG = {
         ),
         "dt forgotten": (
             lambda x1, K, dt: x1 * (1 - K) / K,
-            "You forgot dt: one step adds dt·x₁, not x₁.",
+            "dt is missing: one step adds dt·x₁, not x₁.",
         ),
         "K and 1 − K swapped": (
             lambda x1, K, dt: dt * x1 * K / (1 - K),
@@ -124,7 +124,7 @@ WRONG = {
         ),
         "sum of pushes": (
             lambda x1, K, dt: dt * x1 / (1 - K),
-            "You let the pushes pile up with the factor K; what survives a correction is the part 1 − K.",
+            "That is for pushes of which the part K survives a correction; it is the part 1 − K.",
         ),
         "what is taken away": (
             lambda x1, K, dt: K * dt * x1,
@@ -158,7 +158,7 @@ WRONG = {
         ),
         "Fᵀ P F + Q": (
             lambda P, Q, dt: rows(dt).T @ P @ rows(dt) + Q,
-            "The transpose is on the wrong side: here an uncertain angle makes the rate uncertain. It is the other way round.",
+            "Fᵀ P F, or dt in the wrong corner: here an uncertain angle makes the rate uncertain. It is the other way round.",
         ),
         "forgot Q": (
             lambda P, Q, dt: rows(dt) @ P @ rows(dt).T,
@@ -166,15 +166,15 @@ WRONG = {
         ),
         "forgot F": (
             lambda P, Q, dt: P + Q,
-            "You only added Q. An uncertain rate makes the angle more uncertain with every dt: F P Fᵀ.",
+            "That is P + Q. An uncertain rate makes the angle more uncertain with every dt: F P Fᵀ.",
         ),
         "entry by entry": (
             lambda P, Q, dt: rows(dt) * P * rows(dt).T + Q,
-            "In NumPy * multiplies entry by entry; the matrix product is @.",
+            "P's corners are gone, as by *, entry by entry. The matrix product is @.",
         ),
         "dt forgotten": (
             lambda P, Q, dt: rows(1) @ P @ rows(1).T + Q,
-            "Your F has a 1 in its corner; there belongs dt, the time between two readings.",
+            "That is F with a 1 in its corner; there belongs dt, the time between two readings.",
         ),
         "Q scaled": (
             lambda P, Q, dt: rows(dt) @ P @ rows(dt).T + dt * Q,
@@ -194,7 +194,7 @@ WRONG = {
         ),
         "Q added first": (
             lambda P, Q, dt: rows(dt) @ (P + Q) @ rows(dt).T,
-            "You added Q before the move, so F acts on the jolts of this step as well. First F P Fᵀ, then + Q.",
+            "F acts on the jolts of this step too, as if Q were added before the move. First F P Fᵀ, then + Q.",
         ),
         "upper left by hand": (
             lambda P, Q, dt: (rows(dt) @ P @ rows(dt).T + Q) - np.diag([dt * P[0, 1] + dt**2 * P[1, 1], 0]),
@@ -248,11 +248,11 @@ WRONG = {
         ),
         "columns scaled": (
             lambda P, K: P - K * P,
-            "`K * P` multiplies each column by its own gain. What is taken away is the matrix K H P: the column K times the first row of P.",
+            "Each column is scaled, as by `K * P`. What is taken away is the matrix K H P: the column K times the first row of P.",
         ),
         "K @ H is a number": (
             lambda P, K: (np.eye(2) - K[0]) @ P,
-            "For two vectors `K @ H` is one number, K₀. K H is a matrix, a column times a row: np.outer(K, [1, 0]).",
+            "K₀ is taken from all entries, as by `K @ H`. K H is a matrix, a column times a row: np.outer(K, [1, 0]).",
         ),
         "column for row": (
             lambda P, K: P - np.outer(K, P[:, 0]),
@@ -276,7 +276,7 @@ WRONG = {
         ),
         "outer turned round": (
             lambda P, K: P - np.outer(P[0], K),
-            "In `np.outer` the column comes first: K, then the row H P. Yours is the transpose of K H P.",
+            "Yours is the transpose of K H P. In `np.outer` the column comes first: K, then the row H P.",
         ),
         "K Kᵀ": (
             lambda P, K: (np.eye(2) - np.outer(K, K)) @ P,

@@ -47,8 +47,8 @@ WRONG = {
         ),
         "without abs": (
             without_abs,
-            "Without `abs` the arctangent is negative in quadrants 2 and 4, and you still add it to 90° or to 270°. "
-            "Add it to 180° in quadrant 2, to 360° in quadrant 4.",
+            "Quadrants 2 and 4 come out as 90° and 270° minus the angle to the east–west axis, as without `abs`. "
+            "It is 180° minus it in quadrant 2, 360° minus it in quadrant 4.",
         ),
         "from −π to π": (
             lambda east, north: math.atan2(north, east),
@@ -60,15 +60,17 @@ WRONG = {
         ),
         "arctangent from 0": (
             lambda east, north: math.atan(north / east) % TURN,
-            "The remainder cannot bring back the sign that the quotient has lost: quadrants 2 and 3 are still 180° off.",
+            "The quotient has lost one sign, and a full turn more does not bring it back: quadrants 2 and 3 are 180° off.",
         ),
         "arguments swapped": (
             lambda east, north: math.atan2(east, north),
-            "That bearing counts from north, clockwise, as a compass does. `arctan2` takes north first.",
+            "That bearing counts from north, clockwise, as a compass does. Wanted is the angle from east towards north; "
+            "`arctan2` takes north first.",
         ),
         "arguments swapped, from 0": (
             lambda east, north: math.atan2(east, north) % TURN,
-            "That bearing counts from north, clockwise, as a compass does. `arctan2` takes north first.",
+            "That bearing counts from north, clockwise, as a compass does. Wanted is the angle from east towards north; "
+            "`arctan2` takes north first.",
         ),
         "no signs at all": (
             lambda east, north: math.atan2(abs(north), abs(east)),
@@ -84,11 +86,13 @@ WRONG = {
         ),
         "modulo half a turn": (
             lambda east, north: math.atan2(north, east) % math.pi,
-            "Your bearing is off by half a turn for targets in the south, so opposite directions become equal. What is added to a negative angle, or the circle of the remainder, is a full turn, 2π.",
+            "Your bearing is off by half a turn for targets in the south, so opposite directions become equal. What a "
+            "negative angle of `arctan2` needs is a full turn, 2π.",
         ),
         "half a turn added": (
             lambda east, north: math.atan2(north, east) + math.pi,
-            "Every bearing points the opposite way: you added 180° to all, or turned both signs. Only negative angles need something added, and it is a full circle, 2π.",
+            "Every bearing points the opposite way, as if 180° were added to all or both signs were turned. Only the "
+            "negative angles of `arctan2` need something added, a full circle, 2π.",
         ),
         "% 360": (
             lambda east, north: math.atan2(north, east) % 360,
@@ -96,7 +100,8 @@ WRONG = {
         ),
         "absolute value": (
             lambda east, north: abs(math.atan2(north, east)),
-            "`abs` puts every target in the south to the north. A negative angle needs a full circle added, 2π.",
+            "Every target in the south comes out in the north, as with `abs`. In the south the bearing is a full circle, "
+            "2π, minus that angle.",
         ),
         "a turn added to all": (
             lambda east, north: math.atan2(north, east) + TURN,
@@ -187,7 +192,7 @@ WRONG = {
         ),
         "a whole turn": (
             lambda sd: (sd * math.pi / 360) ** 2,
-            "π radians are 180°, not 360°.",
+            "That is a quarter of the right number. π radians are 180°, not 360°, and `sd` is one σ, not two.",
         ),
         "twice σ": (
             lambda sd: 2 * math.radians(sd),

@@ -116,7 +116,7 @@ WRONG = {
             lambda x, P, reading, nominal: corrected(
                 x, P, off(nominal) + nominal / off(nominal) * (x - nominal) - reading, nominal / off(nominal)
             ),
-            "The innovation has the wrong sign: it is reading minus expected.",
+            "x moves the wrong way: K times (reading − expected) is added.",
         ),
         "nothing": (
             lambda x, P, reading, nominal: (x, P),

@@ -138,7 +138,7 @@ def of_the_start(answers, recordings):
             if all(P[1, 1] < 8 for _, P, _, _ in rows)
             else ""
         )
-        return f"You start at z[0], then predict, and z[0] is used twice: run the filter over z[1:] only.{wide}"
+        return f"At the first reading your P has a corner, as if z[0] were predicted or used twice: start there without one, and go on with z[1:].{wide}"
     if all(abs(P[1, 1] - 3) < 1e-3 for _, P, _, _ in rows):
         return "At the first reading your speed has the variance 3. 3 m/s is the standard deviation: square it."
     if all(P[1, 1] < 4 for _, P, _, _ in rows):

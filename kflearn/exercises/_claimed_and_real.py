@@ -22,7 +22,7 @@ WRONG = {
         ),
         "Ben's claim for all": (
             lambda p, r: (p / (p * r / (p + r)), 1.0, p / (p * r / (p + r))),
-            "You divided by the fused variance each time. The published version and Anna's claim σz²; only Ben claims the fused variance.",
+            "Only Ben's is right: he claims the fused variance. The published version returns μx, Anna's the fused mean, and both claim σz².",
         ),
         "the errors alone": (
             lambda p, r: (p, p * r / (p + r), p),

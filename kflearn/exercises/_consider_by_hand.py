@@ -29,8 +29,8 @@ FIRST_COVARIANCE = {
     ),
     "short form": (
         first(K, form="short"),
-        "(I − KH)P⁻ holds for the best gain only, and yours has a row of zeros: your P is not even symmetric. Use"
-        " (9J).",
+        "Your P is not symmetric. That is what (I − KH)P⁻ gives, which holds for the best gain only, and here the gain "
+        "has a row of zeros. Use (9J).",
     ),
     "symmetrised": (
         np.array([[4 * (1 - K), -K / 2], [-K / 2, 1]]),

@@ -143,7 +143,7 @@ WRONG["late_row"] = {
     ),
     "never zeroed": (
         correct_with(lambda K, full, P, H, R, c: joseph(full, P, H, R), mean_gain="full"),
-        "No row is zeroed: this estimates the state that should only be considered.",
+        "x and P are those of the full gain, as if no row were zeroed. Zero it first: the state is not to be estimated.",
     ),
     "KRKᵀ forgotten": (
         correct_with(lambda K, full, P, H, R, c: (np.eye(len(P)) - K @ H) @ P @ (np.eye(len(P)) - K @ H).T),
@@ -151,7 +151,7 @@ WRONG["late_row"] = {
     ),
     "cross-covariance dropped": (
         correct_with(without_cross),
-        "You dropped the covariance of the considered state with the others. A consider filter works through this covariance.",
+        "In your P the covariance of the considered state with the others is zero. A consider filter works through this covariance.",
     ),
     "always the third": (
         correct_always_third,
@@ -171,7 +171,7 @@ WRONG["late_row"] = {
     ),
     "column zeroed in P": (
         correct_with(lambda K, full, P, H, R, c: without_row((np.eye(len(P)) - full @ H) @ P, c)),
-        "You set row and column of P to zero. The considered state keeps its variance, and the filter needs "
+        "Row and column of the considered state are zero in your P. It keeps its variance, and the filter needs "
         "its covariances.",
     ),
 }

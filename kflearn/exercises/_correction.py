@@ -109,7 +109,7 @@ WRONG = {
         ),
         "innovation backwards": (
             lambda x, P, z, H, R: correction(gain_of(P, H, R), x, P, z, H, sign=-1.0),
-            "Your P is right. Your x moves away from the reading: the innovation is measured minus expected, z − H x.",
+            "Your P is right. Your x moves away from the reading: (8) adds K times measured minus expected, z − H x.",
         ),
         "innovation without H": (
             lambda x, P, z, H, R: (x + gain_of(P, H, R) @ (z - x[: len(z)]), P - gain_of(P, H, R) @ H @ P),

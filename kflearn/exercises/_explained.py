@@ -88,7 +88,7 @@ def _of_shapes(error, sentence):
     if "broadcast" in str(error) and re.search(r"in the line `[^`]*[A-Za-z_)\]] ?\* ?[A-Za-z_(]", sentence):
         return "In the trials before the sizes fitted by chance. `*` multiplies entry by entry; the product of matrices is `@`."
     if "broadcast" in str(error):
-        return "In the trials before the sizes fitted by chance. Two arrays of different shapes are added or multiplied: should a product stand between them?"
+        return "In the trials before the sizes fitted by chance. Two arrays of different shapes are added or multiplied: is one of a fixed size, or should a product stand between them?"
     return "The trials have several sizes: is a size typed in, a transpose missing, or an order of factors wrong?"
 
 

@@ -49,7 +49,8 @@ WRONG = {
         ),
         "standard deviations for variances": (
             lambda s, turn, r: s * r / (s * np.sin(np.radians(turn)) + r),
-            "Below stands the sum of two standard deviations, σ·sin + across. Variances add: σ² sin² + across², and then the root.",
+            "That is σ·across/(σ·sin + across), in which standard deviations add. Variances add: σ² sin² + across², and "
+            "then the root.",
         ),
         "H not squared": (
             lambda s, turn, r: fused(s, np.sqrt(np.sin(np.radians(turn))), r),

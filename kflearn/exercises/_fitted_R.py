@@ -115,7 +115,7 @@ def of_all(results, rights):
     """What is said of a logarithm, and where the search ran to an end of what was tried: a part of the sum is missing."""
     for log, back in ((np.log, "`np.exp` of it"), (np.log10, "ten to the power of it")):
         if np.allclose(results, log(rights), rtol=0, atol=0.04):
-            return f"That is the logarithm of R, in which you searched. Return R itself, {back}."
+            return f"That is the logarithm of R. Return R itself, {back}."
     if np.ptp(results) == 0 and np.isclose(results[0], 15099, rtol=1e-3):
         return "Your R is 15099 whatever the readings are: that is the lesson's Nile. Fit R to z."
     if np.all(abs(np.log10(results) - np.round(np.log10(results))) < 1e-9) and np.ptp(results) > 0:
@@ -127,12 +127,12 @@ def of_all(results, rights):
         return f"Your R is {results[0]:.4g} in every trial, whatever the readings are. Fit R to z."
     if np.all(results > 20 * rights):
         return (
-            "Your R is far too large in every trial: the search runs to the end of what it tries. Is log 2πS in the sum? "
+            "Your R is far too large in every trial: does the search run to the end of what it tries? Is log 2πS in the sum? "
             "With Σ y²/S alone a larger R always looks better. Or is the sign such that the worst R is found?"
         )
     if np.all(results < rights / 20):
         return (
-            "Your R is close to 0 in every trial: the search runs to the end of what it tries. Is y²/S in the sum? With "
+            "Your R is close to 0 in every trial: does the search run to the end of what it tries? Is y²/S in the sum? With "
             "log 2πS alone a smaller R always looks better. Or is the sign such that the worst R is found?"
         )
     if not np.isfinite(results).all():

@@ -4,7 +4,7 @@ import math
 
 PRECISIONS = "Precisions add: 1/5 of the prediction, and 1 for each reading."
 CLUES = {
-    6: "A reading does not halve the variance each time. Precisions add.",
+    6: "Precisions add: 1/5 of the prediction, not 5. And a reading does not halve the variance each time.",
     7: "Did you take 5 for the precision of the prediction? 5 m² is its variance.",
     8: "Did you divide one σ by the other? It is precisions that add, 1/σ².",
     9: "Did you round 0.3² up, or take more than 1/5 away? 1/0.09 is 11.1.",
@@ -109,7 +109,7 @@ WRONG = {
         ),
         "innovation backwards": (
             lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mx - mz), vx * vz / (vx + vz)),
-            "Your innovation has the wrong sign: measured minus expected, mean_z − mean_x; otherwise the mean moves away from the tape.",
+            "Your mean moves away from the tape: (13) adds K times measured minus expected, mean_z − mean_x.",
         ),
         "plain average": (
             lambda mx, vx, mz, vz: ((mx + mz) / 2, vx * vz / (vx + vz)),

@@ -64,7 +64,7 @@ WRONG = {
         ),
         "unchanged": (
             lambda e, v, t0, t: e,
-            "You handed back the error at t₀. It shrinks as t does, although nothing is measured.",
+            "That is e, the error at t₀. It shrinks as t does, although nothing is measured.",
         ),
         "nothing left": (lambda e, v, t0, t: 0.0, "Zero is right only at t = 0, the impact."),
         "coasting from here": (
@@ -121,7 +121,8 @@ WRONG = {
         ),
         "time gone": (
             lambda e, v, t0, t: e * (1 - t / t0),
-            "That is right if t were the time that has passed. It is the time to go: at t = t₀ the whole error is still there.",
+            "That is a·t alone, with the time that has passed. t is the time to go: at t = t₀ the whole error is still "
+            "there. And b·t³ is missing.",
         ),
     },
     "memory": {

@@ -70,7 +70,7 @@ def same_P(steps):
             return None
         if all(np.allclose(mean, mean[0], rtol=1e-9, atol=0) for mean, _ in pairs):
             return f"Your state and your P are the same in all {steps}: no reading is used. Predict and correct."
-        return f"Your P is the same in all {steps}: it is not predicted, and not corrected. Predict and correct it as the lesson's filter does."
+        return f"Your P is the same in all {steps}, as if it were not predicted and not corrected. Predict and correct it as the lesson's filter does."
 
     return sign
 

@@ -50,7 +50,7 @@ SIGNS = {
     lambda P: P[0, 0] >= 0 and np.linalg.det(P[:2, :2]) >= -1e-9: "Your function answers as if P had two states. P may be of any size.",
     lambda P: upper_left(P): "Your function answers as if P had two states. P may be of any size.",
     lambda P: upper_left(P) and np.diag(P).min() > 0: "Your function answers as if P had two states, and refuses zero. P may be of any size, and a state may be known exactly.",
-    lambda P: np.linalg.eigvalsh(P).min() >= -2.0: "Your limit for the eigenvalues is far below zero: it passes negative variances.",
+    lambda P: np.linalg.eigvalsh(P).min() >= -2.0: "Negative variances pass, as with a limit for the eigenvalues far below zero.",
 }  # fmt: skip
 
 
@@ -78,13 +78,13 @@ WRONG = {
         ),
         "one of both": (
             lambda P: within(P) or np.linalg.eigvalsh(P).min() >= -1e-9,
-            "You ask for one of the two: symmetric *or* without negative variances. Both must hold.",
+            "It answers as if one of the two were enough: symmetric *or* without negative variances. Both must hold.",
         ),
         "always": (lambda P: True, "You return True whatever P is."),
         "never": (lambda P: False, "You return False whatever P is."),
         "singular": (
             lambda P: within(P) and abs(np.linalg.det(P)) > 1e-12,
-            "You ask whether P can be inverted. A covariance need not: a state that is known exactly has the variance zero.",
+            "It answers as if P had to have an inverse. A covariance need not: a state that is known exactly has the variance zero.",
         ),
     }
     | combined(lambda symmetry, signs: lambda P: bool(symmetry(P) and signs(P)), symmetry=SYMMETRY, signs=SIGNS)

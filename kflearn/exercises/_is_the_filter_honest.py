@@ -70,7 +70,7 @@ WRONG = {
         ),
         "entry by entry": (
             lambda e, P: e @ (1 / P) @ e,
-            "1 / P divides entry by entry; the inverse of a matrix is something else. np.linalg.solve(P, e) is P⁻¹ e.",
+            "1 / P, like P ** -1, works entry by entry; the inverse of a matrix is something else. np.linalg.solve(P, e) is P⁻¹ e.",
         ),
         "the root": (
             lambda e, P: np.sqrt(e @ np.linalg.solve(P, e)),
@@ -124,7 +124,7 @@ WRONG = {
         ),
         "e² against σ": (
             lambda e, P: np.mean(e**2 <= np.sqrt(P)),
-            "Now the error is squared and the claim is not. Compare |e| with √P, or e² with P.",
+            "That is e² against √P. Compare |e| with √P, or e² with P.",
         ),
         "P²": (
             lambda e, P: np.mean(abs(e) <= P**2),
@@ -198,7 +198,7 @@ WRONG = {
         ),
         "one number for all": (
             lambda mean, variances, normal: mean + np.sqrt(variances) @ normal,
-            "`@` adds the products up, so all states are moved by the same number. Multiply entry by entry, with `*`.",
+            "All states are moved by the same number, the sum of the products, as `@` makes it. Multiply entry by entry, with `*`.",
         ),
         "the same number for all": (
             lambda mean, variances, normal: mean + np.sqrt(variances) * normal[0],

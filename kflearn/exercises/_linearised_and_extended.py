@@ -66,7 +66,7 @@ WRONG = {
         ),
         "both": (
             lambda x: radar_slope(x, other=-1),
-            "You turned both signs: one was wrong and is mended, the other was right and is now wrong.",
+            "Both signs are turned: one was wrong and is mended, the other was right and is now wrong.",
         ),
         "power two": (
             lambda x: radar_slope(x, power=2),
@@ -82,7 +82,7 @@ WRONG = {
         ),
         "double": (
             lambda x: 2 * radar_slope(x),
-            "Twice too large: the two points are 2·step apart, so divide by 2·step.",
+            "All is twice too large. (A central difference is divided by 2·step.)",
         ),
         "entry zero": (
             lambda x: radar_slope(x, sign=0),

@@ -233,7 +233,7 @@ WRONG = {
         ),
         "entry by entry": (
             lambda T, sigma: sigma**2 * column(T**2 / 2, T) * column(T**2 / 2, T),
-            "You squared G entry by entry. Q is the product G @ G.T, a matrix (2, 2).",
+            "That is G squared entry by entry, a column. Q is the product G @ G.T, a matrix (2, 2).",
         ),
         "G Gᵀ the other way": (
             lambda T, sigma: sigma**2 * (T**4 / 4 + T**2),
@@ -249,7 +249,7 @@ WRONG = {
         ),
         "published Q times T": (
             lambda T, sigma: T * push_covariance(T / 2, 1.0, sigma),
-            "You multiplied Q by T. G needs the factor T, and G stands twice in Q: that makes T².",
+            "That is the published Q times T. G needs the factor T, and G stands twice in Q: that makes T².",
         ),
         "[T, 1]": (
             lambda T, sigma: push_covariance(T, 1.0, sigma),

@@ -77,7 +77,7 @@ WRONG = {
         ),
         "Fᵀ P F": (
             lambda: F.T @ P @ F + Q,
-            "The transpose is on the wrong side: the errors become F e, so F stands on the left and Fᵀ on the right.",
+            "That is Fᵀ P F + Q. The errors become F e, with dt at the upper right of F: F stands on the left and Fᵀ on the right.",
         ),
         "F P": (
             lambda: F @ P + Q,

@@ -42,7 +42,7 @@ WRONG = {
         ),
         "not predicted at all": (
             lambda x, P, z, F, H, Q, R: step(x, F @ P @ F.T + Q, z, H, R),
-            "One F too many was taken out: x_pred = F @ x stays, only the second F, in line four, has to go.",
+            "The state is not moved on at all: x_pred = F @ x stays, only the second F, in line four, has to go.",
         ),
         "never predicted": (
             lambda x, P, z, F, H, Q, R: step(x, P, z, H, R),

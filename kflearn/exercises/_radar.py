@@ -56,7 +56,7 @@ def within(state, name):
         inside(state),
         91,
         98.5,
-        below="Your σ is too small for your errors. Either P is too small (Q, R), or the place is wrong (what is expected, the innovation, H).",
+        below="Your σ is too small for your errors. Either P is too small (Q, R), or the place is wrong (what is expected, the innovation, H, the order).",
         above="Your σ is too large for your errors: P is not made small enough by the readings, or R or Q is too large.",
         unit="%",
     )
@@ -79,7 +79,7 @@ MARKS = [
         0.85,
         1.25,
         below="Your P is too large for your errors: compare Q, R and the correction of P with the text.",
-        above="Your errors are larger than P says: compare the innovation, Q, R and H with the text.",
+        above="Your errors are larger than P says. Is it the innovation, Q, R, H, or the order of the states?",
     ),
     Mark(
         "NEES / n of the first five readings",

@@ -36,21 +36,21 @@ def of_P(answer, answers, recordings):
         return f"In {100 * idle:.0f} % of the steps your P is as predicted, so the reading is not used. Here all readings are of the target: use each of them."
     later = [used_R(more[1:], H[1:]) for more, H in both]
     if any(each is None for each in later):
-        return "Your P does not follow from F P Fᵀ + Q and a correction that makes it smaller in east and north: compare both lines of P with the text."
+        return "Your P is not that of F P Fᵀ + Q and I − K H, for the order east, its speed, north, its speed. Is it the order, Q, or the correction of P?"
     if not all(map(is_R, later)):
         distance, bearing = np.diag(np.median(np.concatenate(later), axis=0))
         return (
             f"A reading makes your P smaller as if, with H at the predicted place, R were diag({_shown(distance)}, {_shown(bearing)}) (median of all steps). "
-            "It should be diag(25, 0.0004), in m² and rad²: look at R in S, and at H."
+            "It should be diag(25, 0.0004), in m² and rad²: is it R in S, H, or the K in P?"
         )
     if not all(is_R(used_R(more[:1], H[:1])) for more, H in both):
         return (
             "From the second step on your P is right, the first one is not: it follows from `cov`, predicted for a second, and from the first reading, with "
-            "H where `mean` is predicted to be."
+            "H where `mean` is predicted to be. Is east first in your states?"
         )
     return (
-        "Your P is right in every step, so F, Q, R, H and the start are right in it. It is the mean that goes wrong: what is expected, the innovation (only the bearing "
-        "is an angle), or the gain with which it moves."
+        "Your P is right in every step, so F, Q, R, H and the start are right in it. It is the mean that goes wrong: "
+        "what is expected, the innovation (only the bearing is an angle), the gain with which it moves, or the order (east first)."
     )
 
 

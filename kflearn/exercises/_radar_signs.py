@@ -90,8 +90,8 @@ def jumps(answer, answers, recordings):
     if error[~west].max() < 8 < np.median(error[west]):
         return (
             f"In the {sum(~west)} recordings in which the bearing does not jump your place is right; in the {sum(west)} others it is "
-            f"wrong by {np.median(error[west]):.0f} m (median). There π and −π meet: take the difference of two bearings "
-            "the short way round."
+            f"wrong by {np.median(error[west]):.0f} m (median). There π and −π meet: is the difference of two bearings "
+            "taken the short way round, and is what you expect an `arctan2`?"
         )
     return None
 
@@ -213,7 +213,7 @@ MISTAKES = [
     ),
     (
         lambda *given: extended(*given, first=False),
-        "You correct before you predict. The start is one second *before* the first reading: predict first, also in the first step.",
+        "In the first step nothing is predicted. The start is one second *before* the first reading: predict first, there too.",
     ),
     (
         lambda *given: extended(*given, early="H"),
@@ -273,7 +273,7 @@ MISTAKES = [
     ),
     (
         lambda *given: extended(*given, back=True),
-        "The innovation has the wrong sign: it is the reading minus what is expected.",
+        "Your mean moves the wrong way: K times (reading − expected) is added.",
     ),
 ]
 SIGNS = [known, raw, predictions, growing, another_order, jumps, of_P]

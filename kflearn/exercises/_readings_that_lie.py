@@ -32,7 +32,7 @@ WRONG = {
     "is_refused": {
         "not wrapped": (
             lambda z, x, P, R, n: (z - x) ** 2 > n**2 * (P + R),
-            "You subtract without the short way round: a reading of 3° is then 355° away from a prediction of 358°, and is refused.",
+            "Across north yours goes the long way round: a reading of 3° is then 355° away from a prediction of 358°, and is refused.",
         ),
         "R only": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > n**2 * R,
@@ -44,7 +44,7 @@ WRONG = {
         ),
         "sigmas not squared": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > n * (P + R),
-            "You compare the squared innovation with sigmas times S. Squared on both sides it is sigmas² times S: three standard deviations are a NIS of 9.",
+            "It answers as if the squared innovation were compared with sigmas times S. Squared on both sides it is sigmas² times S: 3σ are a NIS of 9.",
         ),
         "variance for σ": (
             lambda z, x, P, R, n: abs(angle_difference(z, x)) > n * (P + R),
@@ -60,7 +60,7 @@ WRONG = {
         ),
         "σ added": (
             lambda z, x, P, R, n: abs(angle_difference(z, x)) > n * (np.sqrt(P) + np.sqrt(R)),
-            "Your gate is sigmas · (√P + √R) wide, as with standard deviations that add up. Of independent errors the variances add up: √(P + R).",
+            "It answers like a gate of sigmas · (√P + √R). Of independent errors not the standard deviations add up, but the variances: √(P + R).",
         ),
         "always 3": (
             lambda z, x, P, R, n: angle_difference(z, x) ** 2 > 9 * (P + R),
@@ -108,7 +108,7 @@ WRONG = {
     "agreeing": {
         "not wrapped": (
             lambda old, z, w: np.sum(abs(old - z) <= w),
-            "You subtract without the short way round: 358° and 1° agree within 3°.",
+            "Across north yours goes the long way round: 358° and 1° agree within 3°.",
         ),
         "width in all": (
             lambda old, z, w: np.sum(abs(angle_difference(old, z)) <= w / 2),
@@ -142,7 +142,7 @@ WRONG = {
     "gated_step": {
         "no gate": (
             corrected,
-            "There is no gate in it: a reading beyond 3√S must leave the prediction as it is.",
+            "No reading is refused in it: one beyond 3√S must leave the prediction as it is.",
         ),
         "afterwards": (
             gate_afterwards,
@@ -171,7 +171,7 @@ WRONG = {
         ),
         "not wrapped": (
             lambda x, P, z, Q, R: (x, P + Q) if (z - x) ** 2 > 9 * (P + Q + R) else corrected(x, P, z, Q, R),
-            "You gate without the short way round: near north good readings are refused.",
+            "Near north good readings are refused: the gate needs the short way round.",
         ),
         "Q forgotten in the gate": (
             lambda x, P, z, Q, R: (x, P + Q) if angle_difference(z, x) ** 2 > 9 * (P + R) else corrected(x, P, z, Q, R),
@@ -185,7 +185,7 @@ WRONG = {
             lambda x, P, z, Q, R: (
                 (x, P + Q) if angle_difference(z, x) ** 2 > 3 * (P + Q + R) else corrected(x, P, z, Q, R)
             ),
-            "Your limit is 3, compared with a square: 3σ is a NIS of 9.",
+            "Your gate is √3 σ wide, as if a square were compared with 3: 3σ is a NIS of 9.",
         ),
     },
 }

@@ -23,12 +23,12 @@ WRONG = {
     ),
     "per axis": (
         lambda e: [np.sqrt(s.mean(axis=0) / 3) for s in three(e)],
-        "You averaged over the three axes as well, which gives the RMS *per axis*, smaller by √3. Sum over the axes.",
+        "That is the RMS *per axis*, smaller by √3. Sum the squares over the three axes, and average over the runs only.",
     ),
     "every third": (
         lambda e: [np.sqrt(np.mean(np.sum(e[..., k::3] ** 2, axis=-1), axis=0)) for k in (0, 1, 2)],
-        "`k::3` takes every third state, one of the position, one of the velocity, one of the acceleration. The three "
-        "of a kind stand side by side: `k : k + 3`.",
+        "Each series has one state of the position, one of the velocity and one of the acceleration, as with `k::3`. "
+        "The three of a kind stand side by side: `k : k + 3`.",
     ),
     "in the wrong order": (
         lambda e: [np.sqrt(s.mean(axis=0)) for s in three(e)[::-1]],
@@ -36,7 +36,7 @@ WRONG = {
     ),
     "the worst": (
         lambda e: [np.sqrt(s.max(axis=0)) for s in three(e)],
-        "You took the worst run. Asked is the root of the *mean* of the squares over the runs.",
+        "That is the worst run at each step. Asked is the root of the *mean* of the squares over the runs.",
     ),
     "no root": (
         lambda e: [s.mean(axis=0) for s in three(e)],
@@ -64,7 +64,8 @@ WRONG = {
     ),
     "spread": (
         lambda e: [np.sqrt(sum(e[..., k + i].var(axis=0) for i in range(3))) for k in (0, 3, 6)],
-        "`var` and `std` take the mean away first: a filter that is off by the same kilometre in every run would score 0.",
+        "The mean is taken away here, as by `var` and `std`: a filter that is off by the same kilometre in every run "
+        "would score 0.",
     ),
     "one column each": (
         lambda e: np.stack([np.sqrt(s.mean(axis=0)) for s in three(e)], axis=-1),
@@ -88,7 +89,7 @@ WRONG = {
     ),
     "two axes": (
         lambda e: [np.sqrt(np.mean(np.sum(e[..., k : k + 2] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)],
-        "Two axes of three are in it: `k : k + 2` ends before k + 2.",
+        "Two axes of three are in it, as with `k : k + 2`, which ends before k + 2.",
     ),
     "root of the mean distance": (
         lambda e: [np.sqrt(np.sqrt(s).mean(axis=0)) for s in three(e)],
@@ -100,11 +101,12 @@ WRONG = {
     ),
     "median": (
         lambda e: [np.median(np.sqrt(s), axis=0) for s in three(e)],
-        "You took the median of the distances. Asked is the root of the mean of the squares.",
+        "That is the median of the distances. Asked is the root of the mean of the squares.",
     ),
     "slice too short": (
         lambda e: [np.sqrt(s.mean(axis=0)) for s in (*three(e)[:2], np.sum(e[..., 6:8] ** 2, axis=-1))],
-        "The first two are right. `6:8` ends before 8: the acceleration has the indices 6, 7 and 8.",
+        "The first two are right. The third holds 6 and 7 alone, as with `6:8`: the acceleration has the indices 6, 7 "
+        "and 8.",
     ),
     "slice too short, position": (
         lambda e: [

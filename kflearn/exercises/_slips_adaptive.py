@@ -36,7 +36,7 @@ SLIPS["mixture_cov"] = {
     ),
     "2 × 2": (
         of_two,
-        "You wrote the size 2 into the function. It must work for any number of states: begin with zeros like `covs[0]`.",
+        "The size 2 stands in the function. It must work for any number of states: begin with zeros like `covs[0]`.",
         r"zeros\(\[?\(?2, ?2",
     ),
     "informations averaged": (
@@ -49,7 +49,7 @@ SLIPS["mixture_cov"] = {
     ),
     "np.cov without weights": (
         lambda p, means, covs: np.tensordot(p, covs, 1) + np.cov(means.T),
-        "`np.cov(means.T)` does not know the weights, and divides by M − 1. Each y yᵀ counts with its filter's probability.",
+        "The spread is that of `np.cov(means.T)`, without the weights and divided by M − 1. Each y yᵀ counts with its filter's probability.",
     ),
     "the last filter": (
         lambda p, means, covs: p[-1] * (covs[-1] + np.outer(means[-1] - p @ means, means[-1] - p @ means)),

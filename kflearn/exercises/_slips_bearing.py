@@ -38,7 +38,7 @@ WRONG = {
     "wrap": {
         "sine of degrees": (
             lambda d: np.degrees(np.arctan2(np.sin(d), np.cos(d))),
-            "`np.sin` and `np.cos` take radians, and the difference is in degrees: turn it into radians first.",
+            "The difference is taken for radians, as by `np.sin`. It is in degrees: turn it into radians first.",
         ),
         "clipped": (
             lambda d: np.clip(d, -180, 180),
@@ -66,11 +66,11 @@ WRONG = {
         ),
         "from 180": (
             lambda d: 180 - d % 360,
-            "You took the remainder away from 180: a difference of 0 becomes 180, and the sign is turned round.",
+            "That is 180 minus the remainder: a difference of 1 becomes 179, and the sign is turned round.",
         ),
         "away from zero": (
             lambda d: math.copysign(abs(d) % 180, d),
-            "`% 180` takes off half turns: a difference of 190 becomes 10, though that is on the other side. A turn is 360.",
+            "That takes off half turns: a difference of 190 becomes 10, though that is on the other side. A turn is 360.",
         ),
     },
     "offset": {
@@ -93,7 +93,7 @@ WRONG = {
         ),
         "plus": (
             lambda x1, K, dt: dt * x1 * (1 + K) / K,
-            "You added K. The correction takes the part K away: 1 − K is left.",
+            "There is 1 + K above the line. The correction takes the part K away: 1 − K is left.",
         ),
         "K squared below": (
             lambda x1, K, dt: dt * x1 * (1 - K) / K**2,
@@ -189,7 +189,7 @@ WRONG = {
         ),
         "other column": (
             lambda P, K: (np.eye(2) - np.outer(K, [0, 1])) @ P,
-            "You took H = [0, 1], as if the rate were read. Here the angle is: H = [1, 0].",
+            "That is H = [0, 1], as if the rate were read. Here the angle is: H = [1, 0].",
         ),
     },
 }  # fmt: skip

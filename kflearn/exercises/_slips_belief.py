@@ -32,7 +32,7 @@ WRONG = {
         ),
         "the lesson's gain": (
             lambda: third(5 / 6),
-            "65.28 comes from a gain of 5/6, that of the lesson's tape. Form a new one, from 0.8333 m² and the satellite's variance.",
+            "65.28 comes from K = 0.8333: that was the lesson's gain, and is a variance here. Form K anew, from both variances.",
         ),
         "a third": (
             lambda: third(1 / 3),
@@ -102,7 +102,7 @@ WRONG = {
         ),
         "sums for μx": (
             lambda p, r: ((p + r) / r, p / (p + r), (p + r) / fused(p, r)),
-            "Anna's is right. In the other two you took the mean squared difference of μx and the reading. Wanted is that of μx and the truth: var_x.",
+            "Anna's is right. In the other two stands var_x + var_z, as for μx minus the reading. Wanted is μx minus the truth: var_x.",
         ),
         "differences": (
             lambda p, r: (p - r, fused(p, r) - r, p - fused(p, r)),

@@ -80,7 +80,7 @@ SLIPS["step_back"] = {
     ),
     "Q alone in the gain": (
         back(gain=lambda P, F, P_pred, P_next, Q: P @ F.T @ np.linalg.inv(P + Q)),
-        "Your P⁻ lacks F: it is F P Fᵀ + Q.",
+        "In your gain P⁻ lacks F: it is F P Fᵀ + Q.",
     ),
     "G without transpose": (
         back(cov=lambda P, P_next, P_pred, G: P + G @ (P_next - P_pred) @ G),

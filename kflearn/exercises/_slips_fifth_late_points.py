@@ -27,7 +27,7 @@ WRONG = {
         ),
         "κ for the scale, in σ": (
             three(60),
-            "The weights are right, with outer points at ±60°, that is at ±2σ. They sit at ±√3 σ, since the scale α²(n + κ) is 3.",
+            "That is what the right weights make of outer points at ±60°, that is at ±2σ. They sit at ±√3 σ, since the scale α²(n + κ) is 3.",
         ),
         "half of the spread": (
             three(15 * 3**0.5),

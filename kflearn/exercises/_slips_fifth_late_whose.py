@@ -108,7 +108,7 @@ WRONG = {
         ),
         "height in b": (
             with_b(lambda b, z, expected, S, *rest: b / (2 * np.pi * S)),
-            f"Your b is divided by √(2πS). It is multiplied by it: b = {WHOLE_B}.",
+            f"Beside e^(−NIS/2) your b is divided by √(2πS). It is multiplied by it: b = {WHOLE_B}.",
         ),
         "volume of the gate": (
             with_b(lambda b, z, expected, S, *rest: b * 2 * np.sqrt(6.635) / np.sqrt(2 * np.pi)),
@@ -152,8 +152,8 @@ WRONG = {
             with_b(lambda b, z, expected, S, d, clutter: clutter * np.sqrt(2 * np.pi * S) * d / (1 - 0.99 * d)),
             "The quotient in b is upside down: (1 − 0.99 P_D)/P_D. The better the sensor, the less likely is “none of them”.",
         ),
-        "times N": (with_b(lambda b, z, *rest: len(z) * b), "Your b is multiplied by the number of readings. λ is the density of false readings already."),
-        "by N": (with_b(lambda b, z, *rest: b / len(z)), "Your b is divided by the number of readings. λ is the density of false readings already."),
+        "times N": (with_b(lambda b, z, *rest: len(z) * b), "Your b is N times too large, for N readings. λ is the density of false readings already."),
+        "by N": (with_b(lambda b, z, *rest: b / len(z)), "Your b is N times too small, for N readings. λ is the density of false readings already."),
         "empty forgotten": (
             empty_forgotten,
             "Right where a reading is in the gate. Where none is, your weights are all 0: the first one, “none of them”, is 1 then.",
@@ -162,7 +162,7 @@ WRONG = {
         "first alone": (first_alone, "That is the first weight, and it is right. Return those of the readings as well, (N + 1,) in all."),
     },
     "zeros": {
-        "costs": ([0, 0], "Those are the costs of the two chosen pairs. Asked are the numbers of the readings, 1 to 3: first that of A, then that of B."),
+        "costs": ([0, 0], "0 is what each chosen pair costs. Asked are the numbers of the readings, 1 to 3: first that of A, then that of B."),
         "smallest NIS": ([0.4, 1.5], "Those are NIS values from the table, the smallest of each row. Asked are the numbers of the readings, 1 to 3."),
         "costs of a right program": ([3.0, 1.5], "Those are the costs in a right program. Asked are the numbers of the readings in this one, in which a dash costs 0."),
         "smallest sum": (0, "0 is the smallest sum, and it is right. Which two pairs make it? Hand in the readings, first that of A, then that of B."),

@@ -65,7 +65,7 @@ WRONG = {
         ),
         "doubled": (
             lambda T, sigma: 2 * sigma**2 * np.outer([T / 2, 1], [T / 2, 1]),
-            "You doubled the published Q. Its G lacks a factor T, which stands twice in Q.",
+            "That is twice the published Q. Its G lacks a factor T, which stands twice in Q.",
         ),
         "G alone": (
             lambda T, sigma: sigma**2 * held(T),
@@ -77,7 +77,7 @@ WRONG = {
         ),
         "T⁴ everywhere": (
             lambda T, sigma: sigma**2 * T**4 * np.array([[T**2 / 4, T / 2], [T / 2, 1]]),
-            "You multiplied the published Q by T⁴. G lacks one factor T, and G stands twice in Q: that makes T².",
+            "That is the published Q times T⁴. G lacks one factor T, and G stands twice in Q: that makes T².",
         ),
         "T in the last entry": (
             lambda T, sigma: sigma**2 * np.array([[T**4 / 4, T**3 / 2], [T**3 / 2, T]]),

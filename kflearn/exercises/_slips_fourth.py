@@ -5,7 +5,7 @@ import numpy as np
 from kflearn.exercises._newton_to_state_space import column, dragged
 from kflearn.exercises._words import heard
 
-BRACKETS = "In Python `/ 2 * mass` divides by 2 and then multiplies by the mass: write / (2 * mass)."
+BRACKETS = "the mass multiplies, as in `/ 2 * mass`, where Python divides by 2 only: write / (2 * mass)."
 KNOB = "The estimate is nearly the best: which letter changes only the band?"
 MYSTERY = {
     r"modest|cautious|careful": "Too modest, yes: NIS is below 2. Which of the four faults makes it so? The sign of the neighbours decides.",
@@ -102,9 +102,9 @@ def out_of_the_plane(r, angle, sd_r, sd_angle):
 WRONG = {
     "three_readings": {"of the ten": (40.186, "That is the mean of the ten readings above. Here take 61, 62 and 66 m.")},
     "motion": {
-        "/ 2 * mass": (motion(slip, half), BRACKETS),
-        "/ 2 * mass in F": (motion(slip, half, dt_B=False), f"B is right. In F a bracket is missing. {BRACKETS}"),
-        "/ 2 * mass in B": (motion(slip, half, dt_F=False), f"F is right. In B a bracket is missing. {BRACKETS}"),
+        "/ 2 * mass": (motion(slip, half), f"In the first rows of F and B {BRACKETS}"),
+        "/ 2 * mass in F": (motion(slip, half, dt_B=False), f"B is right. In the first row of F {BRACKETS}"),
+        "/ 2 * mass in B": (motion(slip, half, dt_F=False), f"F is right. In the first row of B {BRACKETS}"),
         "1 − c in B": (
             lambda dt, mass, c: (
                 dragged(dt, c * half(dt, mass), c * dt / mass),
@@ -128,11 +128,11 @@ WRONG = {
     "fuse": {
         "variances averaged": (
             lambda a, P, b, R: (a + P / (P + R) * (b - a), P + P / (P + R) * (R - P)),
-            "The mean is right. You averaged the two variances; the fused one is smaller than both: var_x · (1 − K), by (14).",
+            "The mean is right. Your variance is twice the fused one, as is (1 − K)·var_x + K·var_z. By (14) it is var_x · (1 − K).",
         ),
     },
     "second_gain": {
-        "as in the lesson": (0.625, "0.625 is the lesson's second gain, where Q = R. Here Q = 3 V² and R = 9 V²: work out P⁻ anew."),
+        "as in the lesson": (0.625, "0.625 is the lesson's gain for the third reading, where Q = R. Here Q = 3 V² and R = 9 V²: work out P⁻ anew."),
     },
     "offset": {
         "2 − K": (
@@ -159,7 +159,7 @@ WRONG = {
     "agreeing": {
         "limits wrapped": (
             wrapped_limits,
-            "You wrapped the limits and compared plain numbers. Near north the lower limit is then above the upper one: wrap the difference.",
+            "Near north none is counted, as when the limits are wrapped: the lower one is then above the upper one. Wrap the difference.",
         ),
     },
     "room_filter": {
@@ -209,7 +209,7 @@ WRONG = {
     "posterior": {
         "sums of entries": (
             entries_added,
-            "Entries may be negative: compare the traces of L Lᵀ, not the sums. And `*` multiplies entry by entry: `L @ L.T`.",
+            "A root's entries may be negative: compare the traces of L Lᵀ. And `*` multiplies entry by entry: `L @ L.T`.",
         ),
         "difference of the squares": (
             lambda one, two: abs(one @ one.T - two @ two.T),
@@ -217,7 +217,7 @@ WRONG = {
         ),
     },
     "widest_belief": {
-        "400 as σ": (40000, "40000 is 400²/(2 · 2), with 400 m as σ. 400 m is the distance d, and σ is unknown: σ²/(2 · 400 m) = 2 m."),
+        "400 as σ": (40000, "40000 is 400²/(2 · 2), as if 400 m were σ. It is the distance d, and σ is unknown: σ²/(2 · 400 m) = 2 m."),
     },
     "mended_slope": {
         "turn with a plus": (

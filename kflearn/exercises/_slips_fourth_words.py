@@ -11,7 +11,7 @@ WINNER = heard(
 REVIEW = heard(
     {
         r"root|sqrt|line 2": "That is reviewer (a): answer with the letter. But look whether a bearing's slope needs the distance or its square.",
-        r"sign|minus|line 3": "That is reviewer (b): answer with the letter. But try a target due east that moves north.",
+        r"sign|minus|line 3": "That is reviewer (b), or (c) for the zeros: answer with the letter. But try a target due east that moves north.",
     }
 )
 PUSHED = "G enters only by Q = G q Gᵀ. Which q has the straight model?"

@@ -5,8 +5,8 @@ import numpy as np
 from kflearn import angle_difference
 from kflearn.exercises._combined import combined
 
-FAR = "You subtract without the short way round: a reading of 3° is then 355° away from a prediction of 358°."
-ROUND = "`% 360` makes a small step to the left nearly a whole turn: −3° becomes 357°. The short way round is between −180 and 180."
+FAR = "Across north yours goes the long way round: a reading of 3° is then 355° away from a prediction of 358°."
+ROUND = "As with `% 360`, a small step to the left is nearly a whole turn: −3° is 357°. The short way is between −180 and 180."
 DISTANCES = {"short": angle_difference, "plain": np.subtract, "mod": lambda z, x: np.subtract(z, x) % 360}
 
 
@@ -93,14 +93,14 @@ WRONG = {
         distance={"short": "", "plain": FAR, "mod": ROUND},
         variance={
             "S": "",
-            "R": "The gate is made with R only. The prediction has an error too: S = P + R.",
-            "P": "The gate is made with P only. The reading has an error too: S = P + R.",
-            "squares": "P and R are variances already: they are not squared. S = P + R.",
-            "product": "Your S is P · R. Variances of independent errors add up: S = P + R.",
+            "R": "It answers like a gate of R only. The prediction has an error too: S = P + R.",
+            "P": "It answers like a gate of P only. The reading has an error too: S = P + R.",
+            "squares": "It answers as if P and R were squared. They are variances already: S = P + R.",
+            "product": "It answers as if S were P · R. Variances of independent errors add up: S = P + R.",
         },
         limit={
             "n²": "",
-            "n": "The innovation is squared, and sigmas is not.",
+            "n": "It answers as if the innovation were squared, and sigmas not.",
             "S": "You compare degrees with a variance, which is in square degrees: the standard deviation is √S.",
             "half": "Your gate is half as wide as it should be: ± sigmas standard deviations, on each side.",
             "twice": "Your gate is twice as wide as it should be: ± sigmas standard deviations, on each side.",
@@ -165,11 +165,11 @@ WRONG = {
     "agreeing": {
         "8 degrees": (
             lambda old, z, w: np.sum(abs(angle_difference(old, z)) <= 8),
-            "You count within 8°, whatever `width` is.",
+            "You count within about 8°, whatever `width` is.",
         ),
         "modulo": (
             lambda old, z, w: np.sum((old - z) % 360 <= w),
-            "`% 360` makes 357° of 3° to the left, so only readings on one side are counted. The short way round is between −180 and 180.",
+            "As with `% 360`, 3° to the left are 357°: only readings on one side are counted. The short way is between −180 and 180.",
         ),
         "one side, not wrapped": (
             lambda old, z, w: np.sum(old - z <= w),
@@ -193,15 +193,15 @@ WRONG = {
         ),
         "squares": (
             lambda old, z, w: np.sum(angle_difference(old, z) ** 2 <= w),
-            "You compare the squared difference with the width itself.",
+            "It counts as if the squared difference were compared with the width itself.",
         ),
         "their mean": (
             lambda old, z, w: int(abs(angle_difference(np.mean(old), z)) <= w),
-            "That is 1 or 0 for the mean of the refused readings. Compare each of them with the new one, and count.",
+            "That is 1 or 0, as for the mean of all. Compare each refused reading with the new one, and count.",
         ),
         "among themselves": (
             lambda old, z, w: np.sum(abs(angle_difference(old, old[0])) <= w),
-            "You compare with the first refused reading. Compare each of them with the new one.",
+            "That is how many agree with the first refused reading. Compare each with the new one.",
         ),
         "neighbours": (
             lambda old, z, w: np.sum(abs(angle_difference(np.diff(old), 0)) <= w),

@@ -79,7 +79,8 @@ MORE = {
     "transition": {
         "also to itself": (
             lambda stays, T: np.diag(1 - T / stays) + (T / stays)[:, None] / len(stays),
-            "You let a ship that leaves a mode pass to the same mode again. It passes to one of the *other* M − 1.",
+            "Off the diagonal stands T/(stays·M), as if a ship that leaves a mode could pass to the same mode again. It "
+            "passes to one of the *other* M − 1.",
         ),
         "T = 2": (
             lambda stays, T: chances(stays, T, 2 / stays),

@@ -57,7 +57,7 @@ SECOND = {
     -2.5: "α = ½: −2.5 is 3α − 4; 3 must be divided by α².",
     44: "α = ½: 44 is 3/α⁴ − 4; the declaration holds α².",
     6: "α = ½: 6 would be right for n = 6. The program has four states.",
-    16: "α = ½: n is taken off 3/α², not added.",
+    16: "α = ½: 16 is 3/α² + 4. n is taken off, not added.",
     13: "α = ½: from 3/α² = 12 the number of states comes off, 4, not κ = −1.",
     11: "α = ½: from 3/α² = 12 the number of states comes off, 4.",
     -8: "α = ½: the sign is turned round, κ = 3/α² − n.",
@@ -204,7 +204,7 @@ MORE = {
         ),
         "four with two": (
             0.022,
-            "A pair is missing, the positions or the velocities: the ratios are 1/100, 0.01/1 and 0.0001/0.1, each twice.",
+            "Two of the ratios of 1/100 are missing: the ratios are 1/100, 0.01/1 and 0.0001/0.1, each twice.",
         ),
         "accelerations alone": (0.002, "Those are the two accelerations. Position and velocity belong to the sum too."),
         "one of the first two": (0.032, "One ratio is missing: each entry stands twice on the diagonal."),

@@ -144,7 +144,7 @@ WRONG = {
         ),
         "room's numbers": (
             lambda z, Q, R: started("z0", lambda *_: 0.25, "rest")(z, 0.01, 0.25),
-            "You typed Q and R of the lesson's room into the function. Use the Q and R that are handed in.",
+            "That is the filter with Q and R of the lesson's room. Use the Q and R that are handed in.",
         ),
         "no Q, and published": (
             lambda z, Q, R: started("z0", lambda *_: Q, "rest")(z, 0, R),
@@ -152,7 +152,7 @@ WRONG = {
         ),
         "Q last": (
             lambda z, Q, R: (lambda x, P: (x, P - Q))(*_late(z, Q, R)),
-            "You correct first and predict at the end. Before each new reading the room has moved: P grows by Q first.",
+            "The first correction goes without Q. Before each new reading the room has moved: P grows by Q first.",
         ),
     }
     | combined(
@@ -175,7 +175,7 @@ WRONG = {
         ),
         "lesson's numbers": (
             lambda normal, Q: np.array([[0.2], [0.1]]) * normal,
-            "You typed the deviations of one Q into the function. Take them from the Q that is handed in.",
+            "0.2 and 0.1 are the deviations of one Q, the lesson's. Take them from the Q that is handed in.",
         ),
         "halved": (
             lambda normal, Q: np.diag(Q)[:, None] / 2 * normal,

@@ -214,7 +214,7 @@ WRONG = {
         ),
     }
     | {
-        label: (whole_step(answer), f"Lines two and four are mended. {sentence}")
+        label: (whole_step(answer), f"Both misprints are mended. {sentence}")
         for label, (answer, sentence, *pattern) in CORRECTION["correct"].items()
         if not pattern and label not in TAKEN
     },

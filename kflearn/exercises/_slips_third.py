@@ -168,7 +168,7 @@ WRONG = {
     "offset": {
         f"old offset kept, {steps} steps": (
             grown(steps),
-            "The correction reduces the old offset too: off = (1 − K)·(off + dt·x₁). Yours grows for ever.",
+            "The correction reduces the old offset too: off = (1 − K)·(off + dt·x₁). Else it grows for ever.",
         )
         for steps in itertools.chain(range(2, 21), (30, 40, 50, 80, 100, 150, 200, 250, 300, 400, 500, 1000, 2000, 5000, 10000))
     },

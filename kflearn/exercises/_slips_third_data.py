@@ -94,7 +94,8 @@ WRONG = {
     "inflated": {
         "the lesson's R": (
             0.25 + 0.5**2,
-            "0.25 is the lesson's R. Here the noise has σ = 0.3 m, so its variance is 0.09.",
+            "0.5 is the σ of the bias, and also 0.25 + 0.25, with the lesson's noise. R is the sum of the variances: "
+            "here the noise has σ = 0.3 m.",
         ),
     },
     "first_covariance": {

@@ -45,15 +45,15 @@ def right_speed(R, dt):
 
 WRONG = {
     "start_variance": {
-        "quarter": (spread(1 / 16), "You took a quarter of the range for σ, as for a bell shape. Here any value between two limits is equally likely: the squared range over 12."),
-        "sixth": (spread(1 / 36), "You took a sixth of the range for σ, as for a bell shape. Here any value between two limits is equally likely: the squared range over 12."),
+        "quarter": (spread(1 / 16), "That has a quarter of the range as σ, as for a bell shape. Here any value between two limits is equally likely: the squared range over 12."),
+        "sixth": (spread(1 / 36), "That has a sixth of the range as σ, as for a bell shape. Here any value between two limits is equally likely: the squared range over 12."),
         "over 2": (spread(1 / 2), "The squared range is divided by 12, not by 2."),
         "over 3": (spread(1 / 3), "The squared *half* of the range is divided by 3; of the whole range it is 12."),
         "over 6": (spread(1 / 6), "The squared range is divided by 12, not by 6."),
         "over 24": (spread(1 / 24), "The squared range is divided by 12, not by 24."),
         "quarter, guess forgotten": (
             lambda low, high, believed: (high - low) ** 2 / 16,
-            "You took a quarter of the range for σ (between hard limits it is the squared range over 12), and the wrong guess is missing.",
+            "That has a quarter of the range as σ (between hard limits it is the squared range over 12), and the wrong guess is missing.",
         ),
         "from low": (
             lambda low, high, believed: (high - low) ** 2 / 12 + (low - believed) ** 2,
@@ -123,7 +123,7 @@ WRONG = {
         ),
         "gradient": (
             lambda z, dt: np.gradient(z, dt),
-            "`np.gradient` takes a difference to both sides, one step each. The average of the last *five* differences is wanted, NaN before.",
+            "Those are differences to both sides, as `np.gradient` takes them. The average of the last *five* differences is wanted, NaN before.",
         ),
         "since the start": (
             lambda z, dt: np.concatenate([[np.nan], (z[1:] - z[0]) / (dt * np.arange(1, len(z)))]),
@@ -149,7 +149,7 @@ WRONG = {
     "report": {
         "scatter of the distances": (
             lambda e: (e.mean(axis=0), np.std(np.hypot(*e.T))),
-            "The mean is right. `np.std` of the distances says how they scatter about their mean. Root mean square: square, mean, root.",
+            "The mean is right. The second is how the distances scatter about their mean. Root mean square: square, mean, root.",
         ),
         "median distance": (
             lambda e: (e.mean(axis=0), np.median(np.hypot(*e.T))),
@@ -199,7 +199,7 @@ WRONG = {
     "data_sheet": {
         "36/1.18": (lambda: 36 / 1.18, "30.5 is 6²/1.18, with the 1.18 not squared. First σ = 6 m/1.18, then the square of it."),
         "1.18 · 36": (lambda: 36 * 1.18, "42.5 is 1.18 · 6². The radius is the larger number here, σ the smaller: divide, then square."),
-        "2DRMS": (lambda: (6 / math.sqrt(8)) ** 2, "4.5 is (6/2.83)², with 6 m for twice the rms distance, 2.83 σ. Half of the fixes lie within a smaller circle, 1.18 σ."),
+        "2DRMS": (lambda: (6 / math.sqrt(8)) ** 2, "4.5 is (6/2.83)², as if 6 m were twice the rms distance, 2.83 σ. Half of the fixes lie within a smaller circle, 1.18 σ."),
         "over √2": (lambda: 36 / math.sqrt(2), "25.5 is 6²/√2. First σ of one axis, 6 m/1.18, then the square of it."),
         "rounded σ": (25.0, "σ is 6 m/1.18 = 5.1 m, so R is a little more than 25 m²: round only at the end."),
         "σ on a line": (lambda: 6 / 0.6745, "0.674σ holds half of the values on a *line*, and that is a σ, not a variance. In the plane half are within 1.18 σ."),
@@ -211,7 +211,7 @@ WRONG = {
         "over √2 of σ": (lambda: SIGMA / math.sqrt(2), "3.6 is σ/√2. 6 m/1.18 is σ of one axis already; R is its square."),
         "fourth power": (lambda: SIGMA**4, "674 is the fourth power of σ: square once."),
         "mean, not squared": (lambda: 6 / 1.25, "4.8 is 6/1.25, a σ, with 6 m for the mean distance. Half of the fixes lie within 1.18 σ; and R is a variance."),
-        "95 % factor, not squared": (lambda: 6 / 2.45, "2.45 is 6/2.45, a σ, with 6 m for the radius that holds 95 %. Half of the fixes lie within 1.18 σ; and R is a variance."),
+        "95 % factor, not squared": (lambda: 6 / 2.45, "2.45 is √6, or 6/2.45 as if 6 m held 95 %. Half of the fixes lie within 1.18 σ; and R is a variance."),
     },
     "two_point_start": {
         "deviations on the diagonal": (

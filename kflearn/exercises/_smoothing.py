@@ -41,7 +41,7 @@ WRONG["smoothed_cov"] = {
     ),
     "entry by entry": (
         lambda P, P_back: P * P_back / (P + P_back),
-        "Right for a single number. Entry by entry it forgets the tilt, which brought more than half of the gain.",
+        "Right for a single number. Entry by entry it forgets how the two tilts cross: multiply and invert whole matrices.",
     ),
     "inverses entry by entry": (
         inverses_of_entries,
@@ -49,7 +49,7 @@ WRONG["smoothed_cov"] = {
     ),
     "variances only": (
         lambda P, P_back: np.diag(1 / (1 / np.diag(P) + 1 / np.diag(P_back))),
-        "You fused the variances alone. The tilt brought more than half of the gain: fuse the whole matrices.",
+        "The variances are fused alone. With the tilts each becomes smaller still: fuse the whole matrices.",
     ),
     "subtracted": (
         lambda P, P_back: P - P_back,

@@ -95,7 +95,7 @@ def seen_of_one(rows):
              for error, truth, z in rows for _, last in echoes(z, truth)]  # fmt: skip
     share = np.median([pull / full for pull, full in pulls])
     if np.mean(lost) > 0.4:
-        at = " It starts at the first readings, and they are an echo." if np.mean(begin) > 0.5 else ""
+        at = " It is off from the first readings on, and they are an echo." if np.mean(begin) > 0.5 else ""
         return f"In {sum(lost)} of {len(rows)} recordings the filter is not at the speaker most of the time.{at} Does it ever come back?"
     if share > 0.7:
         return f"Echoes of 11 to 14 readings take the filter along: at their end it is {100 * share:.0f} % of the way to them. Does it switch too early, or believe each reading?"
@@ -106,7 +106,7 @@ def seen_of_one(rows):
             "Each reading of an echo pulls, and the pulls add up: a reading so far off should not pull at all."
         )
     if np.mean(begin) > 0.4:
-        return "At the beginning the filter follows the first readings, and they may be an echo. What do the first fifteen together say?"
+        return "At the beginning the filter is off. Does it follow the first readings? They may be an echo: what do the first fifteen together say?"
     return taken(rows)
 
 
@@ -183,7 +183,7 @@ def averages_raw(answer, answers, recordings):
     """A mean of bearings as plain numbers."""
     averages = re.search(r"(mean|average|convolve|cumsum)\(", _code_of.text_of(answer) or "")
     if averages and not of_the_readings(answers, recordings) and leads_to(answer, [359, 1], 180, 20):
-        return "You average raw bearings: the mean of 359 and 1 is 180. Average the short ways from one of them. Even so, 14 echo readings among 20 take the mean most of the way: let most of them decide, not their mean."
+        return "Fed with 359 and 1 in turn, your filter goes to 180: do you average, or subtract, raw bearings? Take the short ways from one of them. Even so, 14 echo readings among 20 take a mean most of the way: let most of them decide, not their mean."
     return None
 
 

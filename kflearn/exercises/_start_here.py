@@ -22,7 +22,7 @@ WRONG = {
         ),
         "±2σ": (
             256,
-            "256 readings bring 2σ down to 0.25 m, but σ itself was asked for. Or you took the variance, 2² = 4, for σ: each reading has σ = 2 m.",
+            "256 readings bring 2σ down to 0.25 m, but σ itself was asked for. 256 is also (4/0.25)², with the variance, 2² = 4, where σ = 2 m belongs.",
         ),
         "root of eight": (
             lambda: math.sqrt(8),
@@ -77,7 +77,7 @@ WRONG = {
         ),
         "wrong sign": (
             lambda mean, n, z: mean + (mean - z) / n,
-            "Your mean walks away from the reading: the surprise is measured minus expected, z - mean.",
+            "Your mean walks away from the reading: add a part of measured minus expected, z - mean.",
         ),
         "weights swapped": (
             lambda mean, n, z: z + (mean - z) / n,
@@ -85,7 +85,7 @@ WRONG = {
         ),
         "surprise forgotten": (
             lambda mean, n, z: mean + z / n,
-            "You added a part of the reading itself: the old mean then counts n times, and it stands for n − 1 readings. Add a part of the surprise, z - mean.",
+            "That is mean + z/n: the old mean counts n times, and it stands for n − 1 readings. Add a part of the surprise, z - mean.",
         ),
         "sum over n": (
             lambda mean, n, z: (mean + z) / n,
@@ -118,11 +118,11 @@ WRONG = {
         ),
         "divided by n − 1": (
             lambda mean, n, z: ((n - 1) * mean + z) / (n - 1),
-            "The sum is right: (n − 1)·mean + z is the sum of n readings. So divide by n.",
+            "That is ((n − 1)·mean + z)/(n − 1). Above the line stands the sum of n readings, so divide by n.",
         ),
         "no brackets": (
             lambda mean, n, z: mean + z - mean / n,
-            "Your division takes only one of the two: put brackets around the surprise, (z - mean) / n.",
+            "Here z counts in full, and only a part of it should: in (z - mean) / n the whole surprise is divided.",
         ),
         "a fixed gain": (
             lambda mean, n, z: mean + 0.2 * (z - mean),
@@ -144,11 +144,11 @@ WRONG = {
         ),
         "standard deviation": (
             lambda error: np.std(error),
-            "`np.std` subtracts the mean error first, so it cannot see an offset: the torn tape would look as good as a whole one.",
+            "That is the standard deviation (`np.std`). It leaves out the mean error, so no offset shows: the torn tape would look as good as a whole one.",
         ),
         "variance": (
             lambda error: np.var(error),
-            "`np.var` subtracts the mean error first, so it cannot see an offset; and it is in m².",
+            "That is the variance (`np.var`). It leaves out the mean error, so no offset shows; and it is in m².",
         ),
         "root of the sum": (
             lambda error: np.sqrt(np.sum(error**2)),

@@ -160,7 +160,7 @@ WRONG = {
         ),
         "backwards": (
             [[8, -2], [-2, 2]],
-            "The sign of the covariance says that you went back by a step, with the inverse of F. The first reading comes later than your start.",
+            "That is F⁻¹ P F⁻ᵀ + Q, with a step back: its covariance is negative. The first reading comes later than your start.",
         ),
         "Q first": (
             [[12, 4], [4, 2]],
@@ -183,7 +183,7 @@ WRONG = {
         ),
         "half readings counted whole": (
             LOG_L - 88 * CONSTANT,
-            "You left the 6 gaps out, but not the 4 half readings: simdkalman drops the whole row, so they count as gaps.",
+            "That is right for 88 numbers, with the 4 half readings counted whole: simdkalman drops the whole row, so they count as gaps.",
         ),
         "gaps counted": (
             LOG_L - 92 * CONSTANT,
@@ -191,11 +191,11 @@ WRONG = {
         ),
         "one a row": (
             LOG_L - 40 * CONSTANT,
-            "You took ½ log 2π once for each row. Each row has two numbers, and each of them its own ½ log 2π.",
+            "That is 40 times ½ log 2π off, one for each whole row. Each row has two numbers, and each of them its own ½ log 2π.",
         ),
         "one a row, of all rows": (
             LOG_L - 50 * CONSTANT,
-            "You took ½ log 2π once for each of the 50 rows. Each number that was used has its own: two in a whole row, none in a gap or a half reading.",
+            "That is 50 times ½ log 2π off, one for each of the 50 rows. Each number that was used has its own: two in a whole row, none in a gap or a half reading.",
         ),
         "one a row, half readings counted": (
             LOG_L - 44 * CONSTANT,
@@ -228,7 +228,7 @@ WRONG = {
         ),
         "expected for NaN": (
             expected_for_nan,
-            "You put the expected reading H x in place of NaN. P then counts it as read and becomes too small, and the mean is pulled towards H x.",
+            "Where z is NaN your innovation is 0, as if H x had been read. P then counts it as read and becomes too small, and the mean is pulled towards H x.",
         ),
         "rows of zeros": (
             rows_of_zeros,
@@ -236,7 +236,7 @@ WRONG = {
         ),
         "one by one": (
             one_by_one,
-            "One number after another is right if R is diagonal. Here the errors have something in common, and the entries of R beside the diagonal are not used.",
+            "That is right if R is diagonal, as one number after another is. Here the errors have something in common, and the entries of R beside the diagonal are not used.",
         ),
         "corner of R": (
             first_entries,

@@ -95,7 +95,7 @@ WRONG = {
                 2 * x - step(x, P, reading, Q, R)[0],
                 np.sqrt(step(x, P, reading, Q, R)[1]),
             ),
-            "The innovation has the wrong sign: your estimate walks away from the reading.",
+            "Your estimate walks away from the reading: K times (reading − x) is added.",
         ),
         "twice the deviation": (
             lambda x, P, room, reading, Q, R: (step(x, P, reading, Q, R)[0], 2 * np.sqrt(step(x, P, reading, Q, R)[1])),

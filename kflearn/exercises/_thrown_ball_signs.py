@@ -67,7 +67,7 @@ def steady(answers, recordings, moves):
 
 PUSHES = [
     ([0, 0.5, 0, 1], None),
-    ([0, 0, 0, 0], "Gravity is missing: in frames without a detection your state moves on without any push."),
+    ([0, 0, 0, 0], "Gravity is missing in the frames without a detection: there your state moves without any push."),
     ([0, 0, 0, 1], "Your gravity changes the velocity only. Within the frame it moves the row as well, by g/2."),
     (
         [0, 0.5, 0, 0],
@@ -82,7 +82,7 @@ PUSHES = [
     ([0.5, 0.5, 1, 1], "Your gravity pushes column and row. Only the row falls."),
     ([0, 0.5, 1, 0], "Your gravity pushes the wrong velocity: that of the row is the fourth state."),
     ([0, 0, 0.5, 1], "Your push is laid out for another order: column, row, and then their velocities."),
-    ([0, 1, 0, 2], "Your gravity is twice the g that is given."),
+    ([0, 1, 0, 2], "Your push is twice what the g that is given makes. Is the state pushed twice in a frame?"),
 ]
 
 
@@ -111,7 +111,7 @@ EACH = np.eye(2)
 FLAT = np.kron([[0.25, 0.5], [0.5, 1]], EACH)
 KICKS = [
     (KICK, None),
-    (0 * KICK, "Q is missing: your P becomes F P Fᵀ in each frame, as if the air never gave a kick."),
+    (0 * KICK, "In frames without a detection your P becomes F P Fᵀ, as if the air gave no kick: Q is missing there."),
     (np.eye(4), "Your Q is q on its diagonal. A kick to the velocity moves the place by less, and the two are correlated: Q is q times the lesson's matrix."),
     (np.diag(np.diag(KICK)), "Your Q lacks its corners. A kick moves place and velocity together, which is q/2 between the two."),
     (np.diag([0, 0, 1, 1]), "Your Q holds the velocities only. A kick moves the place within the frame as well: Q is q times the lesson's matrix."),
@@ -126,12 +126,12 @@ def trusts(answer, answers, recordings):
     found = [np.median(u[good & np.isfinite(u)]) for u, good in zip(*facts(answers, recordings)[:2], strict=True)]
     table = [
         (R, None),
-        (R**2, "Your corrections use R². R is a variance already, in px²: do not square it."),
-        (R**0.5, "Your corrections use √R. R is the variance itself, in px²: take no root."),
-        (0 * R + 0.05**2, "Your corrections use the lesson's R, 0.05² px². This detector is coarser: R is given."),
-        (0 * R + 1, "Your corrections use R = 1. R is given, in px²."),
-        (2 * R, "Your corrections use 2 R. R is the variance of each axis by itself."),
-        (R / 2, "Your corrections use R/2. R is the variance of each axis by itself."),
+        (R**2, "A detection makes your P smaller as with R². R is a variance already, in px²: do not square it."),
+        (R**0.5, "A detection makes your P smaller as with √R. R is the variance itself, in px²: take no root."),
+        (0 * R + 0.05**2, "Your P shrinks as with the lesson's R, 0.05² px². This detector is coarser: R is given."),
+        (0 * R + 1, "A detection makes your P smaller as with R = 1. R is given, in px²."),
+        (2 * R, "A detection makes your P smaller as with 2 R. R is the variance of each axis by itself."),
+        (R / 2, "A detection makes your P smaller as with R/2. R is the variance of each axis: is it used twice?"),
     ]
     words, ratio = recognised(found, table, R), np.median(found / R)
     if words or 0.99 < ratio < 1.01 or not np.isfinite(ratio):
@@ -160,13 +160,15 @@ def begins(answer, answers, recordings):
         )
     if share(refused, first) > 0.9:
         return (
-            "Your filter refuses nearly all detections from the first frames on, and the first ten are all of the ball. No "
-            "start is given: does x begin at the first detection, and is P wide enough for a velocity that nobody knows?"
+            "Hardly a detection makes your P smaller, from the first frames on, and the first ten are all of the ball. No "
+            "start is given: does x begin at the first detection, is P wide enough for a velocity that nobody knows, and "
+            "the gate for a good detection?"
         )
     if share(refused, first) > 0.15 and pair(answers[0])[1][0, 3, 3] < 300:
         return (
             f"Your filter refuses {100 * share(refused, first):.0f} % of the detections in the first ten frames, and these "
-            "are all of the ball. No start is given. Is P wide enough at first for a velocity that nobody knows?"
+            "are all of the ball. No start is given. Is P wide enough at first for a velocity that nobody knows, and the "
+            "gate for a good detection?"
         )
     return None
 
@@ -176,7 +178,7 @@ def gates(answer, answers, recordings):
     used, good, bad = facts(answers, recordings)
     refused = [np.isinf(u) for u in used]
     if share(refused, good) > 0.99:
-        return "Your filter uses none of the detections: P never becomes smaller where the ball is seen."
+        return "Your P never becomes smaller where the ball is seen, as if no detection were used."
     if share(refused, bad) < 0.99:
         return (
             f"Your filter uses {100 - 100 * share(refused, bad):.0f} % of the detections of something else, far from where the ball must be. Is there a gate, "
@@ -184,8 +186,8 @@ def gates(answer, answers, recordings):
         )
     if share(refused, good) > 0.1:
         return (
-            f"Your gate refuses {100 * share(refused, good):.0f} % of the detections that are of the ball. NIS is the square "
-            "of a distance in σ, and of two numbers: how large may it be?"
+            f"{100 * share(refused, good):.0f} % of the detections that are of the ball do not make your P smaller. Is S the "
+            "whole H P Hᵀ + R? NIS is the square of a distance in σ, and of two numbers: how large may it be?"
         )
     return None
 
@@ -231,8 +233,8 @@ def floor(answer, answers, recordings):
     much = grown > 20
     if much.any() and not much.all() and row[much].min() > row[~much].max() - 1:
         return (
-            f"Where nothing is seen, your P grows much more from row {row[much].min():.0f} downwards: that is the lesson's floor, "
-            "at row 210. This ball is in the air, and there is no floor."
+            f"Where nothing is seen, your P grows much more from row {row[much].min():.0f} downwards: is that the lesson's "
+            "floor, at row 210? This ball is in the air, and there is no floor."
         )
     return None
 
@@ -243,7 +245,7 @@ FIXED = r"(hypot|norm)\([^)]*\) *[<>]=? *\d"
 def by_distance(answer, answers, recordings):
     """A gate that is a number of pixels."""
     if re.search(FIXED, _code_of.text_of(answer) or ""):
-        return "Your gate is a fixed distance in px. Measure the innovation in units of S, by the NIS: narrow where the filter is sure, wide after a gap."
+        return "Is your gate a fixed distance in px? Measure the innovation in units of S, by the NIS: narrow where the filter is sure, wide after a gap."
     return None
 
 

@@ -64,7 +64,7 @@ WRONG = {
         ),
         "dt forgotten": (
             lambda z, dt: running(z, 1.0),
-            "You forgot dt: metres per reading are not metres per second.",
+            "dt is missing: metres per reading are not metres per second.",
         ),
         "multiplied by dt": (
             lambda z, dt: running(z, 1.0) * dt,
@@ -154,7 +154,7 @@ WRONG = {
         ),
         "the whole range squared": (
             lambda low, high, believed: (high - low) ** 2 + ((low + high) / 2 - believed) ** 2,
-            "You took the whole range for a standard deviation. Between two limits the variance is the range squared, over 12.",
+            "That has the whole range as a standard deviation. Between two limits the variance is the range squared, over 12.",
         ),
         "half the range squared": (
             lambda low, high, believed: (high - low) ** 2 / 4 + ((low + high) / 2 - believed) ** 2,
@@ -174,7 +174,7 @@ WRONG = {
         ),
         "range squared, guess forgotten": (
             lambda low, high, believed: (high - low) ** 2,
-            "You took the whole range for σ, and the wrong guess is missing. Between two limits the variance is the range squared, over 12.",
+            "That has the whole range as σ, and the wrong guess is missing. Between two limits the variance is the range squared, over 12.",
         ),
         "from the upper limit": (
             lambda low, high, believed: (high - believed) ** 2,
@@ -216,7 +216,7 @@ WRONG = {
         ),
         "all numbers alike": (
             lambda e: (e.mean(axis=0), np.sqrt(np.mean(e**2))),
-            "The mean is right. `np.mean` over all 2T numbers gives an rms per axis, √2 too small: first add the squares of a fix.",
+            "The mean is right. The second is the rms of all 2T numbers, per axis, √2 too small: first add the squares of a fix.",
         ),
         "root forgotten": (
             lambda e: (e.mean(axis=0), np.mean(np.sum(e**2, axis=1))),
@@ -224,7 +224,7 @@ WRONG = {
         ),
         "about the mean": (
             lambda e: (e.mean(axis=0), np.sqrt(np.mean(np.sum((e - e.mean(axis=0)) ** 2, axis=1)))),
-            "The mean is right. But you took it away before squaring: a receiver that is always 50 m off would get a fine mark.",
+            "The mean is right. But it is taken off before the squares: a receiver that is always 50 m off would get a fine mark.",
         ),
         "mean not divided": (
             lambda e: (e.mean(axis=0), np.sqrt(np.sum(e**2))),
@@ -256,7 +256,7 @@ WRONG = {
         ),
         "standard deviation": (
             lambda e: (e.mean(axis=0), np.std(e)),
-            "The mean is right. `np.std` takes a mean away first, and it mixes the two axes: square, add the two axes, average, root.",
+            "The mean is right. A standard deviation leaves a mean out, and this one mixes the axes: square, add the two axes, average, root.",
         ),
     },
 }

@@ -32,7 +32,7 @@ WRONG = {
         ),
         "(2σ)²": (
             lambda at_rest: (2 * np.std(at_rest)) ** 2,
-            "You put 2σ in place of 3σ. No factor belongs in R: it is σ² itself.",
+            "That is (2σ)². No factor belongs in R: it is σ² itself.",
         ),
         "the sum": (
             lambda at_rest: np.sum((at_rest - np.mean(at_rest)) ** 2),

@@ -35,7 +35,7 @@ WRONG = {
         ),
         "dt forgotten": (
             lambda z0, z1, dt, R: made(z1, z1 - z0, [[R, R], [R, 2 * R]]),
-            "You forgot dt: the speed is the difference per second, (z₁ − z₀)/dt; P needs it too.",
+            "dt is missing: the speed is the difference per second, (z₁ − z₀)/dt; P needs it too.",
         ),
         "deviations": (
             lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, np.sqrt(R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]]))),
@@ -73,7 +73,7 @@ WRONG = {
         ),
         "speed 2R, no corner": (
             lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, 0], [0, 2 * R]]),
-            "You forgot to divide by dt², and the corner is missing: z₁ sits in the position and in the speed.",
+            "The division by dt² is missing, and so is the corner: z₁ sits in the position and in the speed.",
         ),
         "corner doubled": (
             lambda z0, z1, dt, R: made(z1, (z1 - z0) / dt, [[R, 2 * R / dt], [2 * R / dt, 2 * R / dt**2]]),

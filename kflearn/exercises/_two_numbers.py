@@ -231,7 +231,7 @@ WRONG = {
         ),
         "half": (
             lambda share: np.sqrt(-np.log(1 - share) / 2),
-            "Multiply by 2 where you divided: k² = −2 ln(1 − share).",
+            "That is half of k: k² = −2 ln(1 − share), without another division by 2.",
         ),
         "root of both": (
             lambda share: norm.interval(np.sqrt(share))[1],

@@ -64,7 +64,7 @@ def used_Q(cov):
     return float(factor) if np.all(abs(factors - factor) < 0.05 * abs(factor)) and factor > 0 else None
 
 
-NEARLY = "Your R is nearly right in most recordings. An R that is found from more of the readings comes nearer."
+NEARLY = "Your R is nearly right in most recordings. An R that is found from more of the readings, or in another way, comes nearer."
 BY_HAND = [
     (
         np.var,
@@ -102,7 +102,7 @@ def moved(covs):
     """How P is predicted, where it is not F P Fᵀ + Q and one R explains each recording; else None."""
     for name, move in MOVES.items():
         if all(one_R(gained(cov, move=move)) is not None for cov in covs):
-            return f"Your P is predicted as {name}. It is F P Fᵀ + Q: a speed that is not known well makes the position less certain."
+            return f"Your P is predicted as {name}. Wanted is F P Fᵀ + Q, with F = [[1, 1], [0, 1]]: an uncertain speed makes the position less certain."
     return None
 
 
@@ -162,11 +162,12 @@ def of_Q_or_many_R(covs):
     low, high = np.quantile(used_R(covs[0], F, Q, np.eye(1, 2)), [0.1, 0.9])
     if high > 5 * low > 0:
         return (
-            f"In recording 1 your R changes from reading to reading; it is mostly between {low:.3g} and {high:.3g} m². "
-            "One innovation says little: find one R from the whole recording."
+            f"In recording 1 your P is that of an R which changes from reading to reading, mostly between {low:.3g} and {high:.3g} m². "
+            "Do you find R anew each time? Find one from the whole recording. If not, look at both lines of P, and at the order of the states."
         )
     return (
-        "Your P does not follow from F P Fᵀ + Q and corrections with one R in each recording: look at both lines of P."
+        "Your P does not follow from F P Fᵀ + Q and corrections with one R in each recording. Is the order position, speed? Are both "
+        "lines of P as in lesson 3, and does R stay the same through a recording?"
     )
 
 
@@ -210,14 +211,14 @@ def of_R(used, right):
     if alike and 0.75 < np.median(ratio) < 1.35:
         return None
     if alike:
-        return f"The R of your filter is about {np.median(ratio):.2g} times the variance of the readings' errors: a factor is wrong, or missing."
+        return f"The R of your filter is about {np.median(ratio):.2g} times the variance of the readings' errors. Is a factor wrong, or missing?"
     if np.exp(np.std(np.log(used / np.sqrt(right)))) < 1.4:
         return "The R of your filter is about the standard deviation of the readings' errors, in metres. R is a variance: the square."
     if np.median(ratio) > 1.35 or ratio.max() > 4:
         worst = int(np.argmax(ratio))
         return (
             f"Your R is too large: in recording {worst + 1} it is {_times(ratio[worst])} times the variance of the readings' errors. "
-            "The ship moves, and the way that it goes must not be counted as noise."
+            "The ship moves: is the way that it goes counted as noise? Or does a search for R stop too early?"
         )
     return (
         f"Your R is wrong by a factor that is different in each recording, from {ratio.min():.2g} to {ratio.max():.2g}."

@@ -25,7 +25,7 @@ def widened(answer, answers, recordings):
     table = [
         (right, None),
         ([0 * Q for Q in right], "Q is missing: P becomes F P Fᵀ in the steps without a reading."),
-        ([2 * Q for Q in right], "In the steps without a reading you add Q twice."),
+        ([2 * Q for Q in right], "P becomes F P Fᵀ + 2 Q in the steps without a reading: Q counts twice."),
     ]
     return recognised(found, table, [Q.max() for Q in right])
 
@@ -118,8 +118,8 @@ def floored(answer, answers, recordings):
     part = 100 * np.mean(late[np.isfinite(late)] < 0.04)
     if part > 0.5 and not restless([np.maximum(each, 0.05) for each in R], recordings):
         return (
-            f"Where the sensor is good, your R̂ is below 0.04 m² in {part:.2g} % of the steps: C − HP⁻Hᵀ comes near zero or below "
-            "it, and a reading is then taken for almost exact. Give R̂ a floor of 0.05 m² or more."
+            f"Where the sensor is good, your R̂ is below 0.04 m² in {part:.2g} % of the steps: a reading is then taken for almost "
+            "exact. C − HP⁻Hᵀ may come near zero or below it. Give R̂ a floor of 0.05 m² or more."
         )
     return None
 
@@ -143,12 +143,13 @@ def follows(answer, answers, recordings):
     if until_good > 40 or good > 5:
         return (
             f"After the sensor has become good {takes(until_good, 'below 3 m²', R, recordings)}, {granted}. "
-            "The bad readings count for too long: a window must be shorter, a mean must forget, and a bank must be allowed to change."
+            "Do the bad readings count for too long (a window must be shorter, a mean must forget, a bank must be allowed to change), "
+            "or does a limit hold R̂ up?"
         )
     if until_bad > 40:
         return (
             f"After the sensor has become bad {takes(until_bad, 'above 8 m²', R, recordings)}, {granted}. "
-            "Let newer innovations count for more."
+            "Do newer innovations count for enough, and is C the mean of their squares, as they are before the correction?"
         )
     return None
 
@@ -159,7 +160,7 @@ def ends(good, bad):
     if good > 30 and bad > 30:
         return f"{levels}. Is that the variance of the readings? The cart moves, and its way is no noise. C is the mean of the squared innovations."
     if good > 2 and bad > 21:
-        return f"{levels}: too large both times. Is HP⁻Hᵀ taken off C?"
+        return f"{levels}: too large both times. Is HP⁻Hᵀ taken off C, and may R̂ fall as well as rise?"
     if bad < 5.5:
         return (
             f"{levels}: there it is far too small. C is the mean of the squared innovations, before the correction. Does a standard deviation, or a root, "
@@ -175,7 +176,7 @@ def levels(answer, answers, recordings):
         return None
     return (
         f"Your R̂ is about {good:.2g} m² where the sensor's R is 1 m², and {bad:.2g} m² where it is 16 m². What is taken off C must be the HP⁻Hᵀ of "
-        "the same step."
+        "the same step, and C a plain mean of squared innovations."
     )
 
 
@@ -184,7 +185,7 @@ def capped(answer, answers, recordings):
     R = np.concatenate([each[np.isfinite(each)] for each in used(answers, recordings)[0]])
     at_top = (1 - 1e-6) * R.max() < R
     if 0.05 < at_top.mean() < 0.95 and R.max() < 14:
-        return f"Your R̂ is {R.max():.3g} m² in {100 * at_top.mean():.0f} % of the steps, and never larger: a limit holds it. The sensor's R may be 16 m²."
+        return f"Your R̂ is {R.max():.3g} m² in {100 * at_top.mean():.0f} % of the steps, and never larger, as if a limit holds it. The sensor's R may be 16 m²."
     return None
 
 

@@ -156,11 +156,11 @@ WRONG = {
         ),
         "not all": (
             lambda x: not np.all(x),
-            "`np.all` asks whether every entry differs from 0, and NaN does. A known start of 0 would be unknown to you: ask `np.isnan`.",
+            "Your function says True where an entry is 0, as `not np.all(x)` does: NaN differs from 0. But 0 is a number like any other: ask `np.isnan`.",
         ),
         "not all of what NaN is made": (
             lambda x: not np.all(np.nan_to_num(x)),
-            "You take an entry that is 0 for unknown, too: 0 is a number like any other. Ask np.isnan, and change nothing before.",
+            "An entry that is 0 is taken for unknown, too: 0 is a number like any other. Ask np.isnan of the entries as they are.",
         ),
         "the wrong way round": (lambda x: not np.isnan(x).any(), "Your function says yes when the start is known."),
         "only the first": (lambda x: np.isnan(x[0]), "You look at the first entry only; NaN may sit in any of them."),

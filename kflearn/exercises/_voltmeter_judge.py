@@ -149,12 +149,12 @@ def _are_right(ratios):
 def of_variances(answers, recordings):
     """What to look at where the variances do not fit the errors."""
     if moves_in_gaps(answers, recordings):
-        return "After a gap the errors are too large for your variances: mend the gaps first."
+        return "Your estimate moves in the gaps, where nothing is read: mend that first."
     at_readings, in_gaps = _ratios(answers, recordings)
     if _are_right(at_readings) and _are_right(in_gaps):
-        return "Your variances are right. It is your estimates that are too far off."
+        return "Your variances are right. It is your estimates that do not fit them."
     if np.mean(abs(at_readings - 1) < 0.02) > 0.6:
-        return "At most readings your variances are right; in the gaps, or just after them, they are not."
+        return "At most readings your variances are right. Are they right in the gaps, or just after them?"
     squares = [(a[0], np.square(a[1])) for a in map(flat, answers)]
     if _are_right(_ratios(squares, recordings)[0]):
         return "You return σ: a variance is wanted, P itself and not its root."
@@ -224,7 +224,7 @@ def before_gaps(answers, recordings):
 def too_wide_in_gaps(answers, recordings):
     """What to look at where too many are inside in the gaps."""
     if grows_in_gaps(answers, recordings):
-        return "P grows by Q in the gaps, as it should: it is too large already when a gap begins."
+        return "P grows by Q in the gaps, as it should. Is it too large already when a gap begins?"
     return "In a gap P grows by Q, once for each missing reading, and by no more."
 
 
@@ -242,7 +242,7 @@ def of_errors(answers, recordings):
         return "Your estimates are one reading late: keep x *after* the correction with that reading, not the prediction for it."
     if goes_away(answers, recordings):
         return (
-            "Your estimates move away from the readings: what counts is the reading minus x, not x minus the reading."
+            "Your estimates move away from the readings: x + K · (reading − x) moves towards them. Look at both signs."
         )
     if all(np.ptp(flat(a)[0]) == 0 for a in answers):
         return "Your estimate is the same for a whole recording: each reading has to move it, by K times the reading minus x."

@@ -90,10 +90,10 @@ WRONG = {
         height={
             "√2πS": "",
             "2π√S": "2π√S belongs to readings in the plane. On a line the Gaussian's height is 1/√(2πS), so b has √(2πS).",
-            "√S": "2π is missing in b: the Gaussian's height is 1/√(2πS).",
+            "√S": "2π is missing: the Gaussian's height is 1/√(2πS), so b has √(2πS).",
             "2πS": "Beside e^(−NIS/2) your b has 2πS, the square of √(2πS): a root is missing, or the Gaussian's height 1/√(2πS) counts twice.",
             "√2π S": "S is a variance: it belongs under the root too, √(2πS).",
-            "√2π": "S is missing in b: the Gaussian's height is 1/√(2πS).",
+            "√2π": "S is missing: the Gaussian's height is 1/√(2πS), so b has √(2πS).",
         },
         gate={
             "NIS": "",
@@ -113,12 +113,12 @@ WRONG = {
         },
         sides={
             "P_D": "",
-            "1": "b is divided by P_D, the probability that there is a reading of the target.",
+            "1": "P_D, the probability of a reading of the target, is missing beside e^(−NIS/2): b is divided by it.",
             "P_D P_G": "b is divided by P_D alone: the Gaussian that is cut off at the gate is higher by 1/P_G, so P_G drops out there.",
         },
         density={
             "λ": "",
-            "1/λ": "Your b is divided by λ. It grows with λ: the more false readings there are, the less is any reading worth.",
+            "1/λ": "Your b falls with λ. It grows with λ: the more false readings there are, the less is any reading worth.",
             "no λ": "λ is missing in b. Without it b has a unit, and a sum with e^(−NIS/2), which has none, means nothing.",
         },
         nis={

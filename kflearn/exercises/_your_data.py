@@ -74,7 +74,7 @@ WRONG["clock"] = {
     ),
     "NaN for the missing": (
         lambda time, z: np.diff(np.where(np.isnan(z), np.nan, time)),
-        "You put NaN where a reading is missing, so the steps beside it are NaN. Drop these rows first, then take"
+        "NaN stands in the time where a reading is missing, so the steps beside it are NaN. Drop these rows first, then take"
         " differences.",
     ),
     "mean length": (
@@ -144,7 +144,7 @@ WRONG["variance_at_rest"] = {
     ),
     "zeros for NaN": (
         lambda time, z, until: np.nanvar(np.nan_to_num(at_rest(time, z, until)), ddof=1),
-        "`np.nan_to_num` makes a reading of 0 where there is none. Leave it out: `np.nanvar`.",
+        "A reading of 0 stands where there is none, as `np.nan_to_num` makes it. Leave it out: `np.nanvar`.",
     ),
     "mean": (
         lambda time, z, until: np.nanmean(at_rest(time, z, until)),

@@ -38,7 +38,7 @@ from kflearn.exercises.engine import exercise
         ),
         "half forgotten": (
             lambda: 0.06 * 30**2,
-            "The acceleration is right. An acceleration makes a·t²/2 metres, not a·t².",
+            "54 m is 0.06 · 30², or 0.12 · 30²/2. An acceleration makes a·t²/2 metres, and 6 % of 0.5 m/s² are 0.03 m/s².",
         ),
         "a speed": (
             lambda: 0.06 * 30,
@@ -224,7 +224,7 @@ def updated(x, dx, K, fix):
         ),
         "fed back before the gain, and again": (
             lambda x, dx, K, fix: (x + dx + updated(x, dx, K, fix), 0 * dx),
-            "You added dx before and after the fix: the corrected dx holds the old one already.",
+            "In your x the old dx is added twice: the corrected dx holds it already.",
         ),
         "wrong sign": (
             lambda x, dx, K, fix: (x - updated(x, dx, K, fix), 0 * dx),

@@ -79,7 +79,7 @@ def corrections(rng):
         ),
         "the best gain": (
             lambda P, K, R, claim: P * R / (P + R) / claim,
-            "You used the best gain, P/(P + R). The filter uses the K that is handed in.",
+            "P·R/(P + R) is for the best gain. The filter uses the K that is handed in.",
         ),
         "K of R not squared": (
             lambda P, K, R, claim: ((1 - K) ** 2 * P + K * R) / claim,
@@ -137,18 +137,18 @@ def average_nees(P, K, R, claim):
         ),
         "the wrong way": (
             lambda orders: 2 * orders,
-            "You went from the root to P: squares double the exponent, roots halve it.",
+            "That is the way from the root to P: squares double the exponent, roots halve it.",
         ),
         "ratio": (
             lambda orders: 10 ** (orders / 2),
             "That is the ratio of the largest to the smallest number; asked is how many powers of ten it is.",
         ),
-        "half, and cut off": (lambda orders: orders // 2, "`//` cuts off the half: for 9 orders the root spans 4.5."),
+        "half, and cut off": (lambda orders: orders // 2, "The half is cut off, as by `//`: for 9 orders the root spans 4.5."),
         "five fewer": (
             lambda orders: orders - 5,
             "That is right for ten orders, as in the lesson, and for no other number.",
         ),
-        "a quarter": (lambda orders: orders / 4, "You halved twice. One root halves the exponent once."),
+        "a quarter": (lambda orders: orders / 4, "That is halved twice. One root halves the exponent once."),
         "five": (
             lambda orders: 5.0 + 0 * orders,
             "5 is right for the ten orders of the lesson. The function is to answer for any number of orders.",

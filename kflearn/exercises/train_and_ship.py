@@ -114,7 +114,7 @@ def report(errors):
         ),
         "as rms distance": (
             18.0,
-            "18 is (6/√2)², with 6 m for the rms *distance*, √2 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
+            "18 is 6²/2, as if 6 m were the rms *distance*, √2 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
         ),
         "as mean distance": (
             lambda: 36 / (math.pi / 2),
@@ -126,7 +126,7 @@ def report(errors):
         ),
         "as 2σ": (
             9.0,
-            "9 is (6/2)², with 6 m for 2σ. A radius of 2σ holds 86 % of the fixes in the plane; this one holds half.",
+            "9 is (6/2)², as if 6 m were 2σ. A radius of 2σ holds 86 % of the fixes in the plane; this one holds half.",
         ),
         "on a line": (
             lambda: (6 / 0.6744897501960817) ** 2,
@@ -146,7 +146,7 @@ def report(errors):
         ),
         "rms distance, not squared": (
             lambda: 6 / math.sqrt(2),
-            "4.24 is 6/√2, a σ, with 6 m for the rms distance. Half of the fixes lie within 1.18 σ; and R is a variance.",
+            "4.24 is 6/√2, a σ if 6 m were the rms distance. Half of the fixes lie within 1.18 σ; and R is a variance.",
         ),
         "halved": (
             lambda: 36 / (2 * math.log(2)) / 2,

@@ -37,7 +37,7 @@ def image(degrees):
         ),
         "kappa forgotten": (
             lambda: image(120),
-            "That is κ = 0: scale 1, no weight at the centre, two points at ±1σ. Here the scale is α²(n + κ) = 3.",
+            "That is 100 sin 60°, as with κ = 0: no weight at the centre, two points at ±1σ. Here the scale is α²(n + κ) = 3.",
         ),
         "kappa as the scale": (
             lambda: 0.5 * 100 + 0.5 * image(90 + np.sqrt(2) * 30),
@@ -187,7 +187,7 @@ def columns(P):
         ),
         "rows for columns": (
             lambda mean, P, Q, scale: around(mean, columns(scale * (P + Q)).T),
-            "Your points go along the rows of the (lower) Cholesky root; they go along its columns. Transpose it: `np.linalg.cholesky(…).T`.",
+            "Your points go along the rows of the (lower) Cholesky root; they go along its columns, the rows of `np.linalg.cholesky(…).T`.",
         ),
         "covariance for its root": (
             lambda mean, P, Q, scale: around(mean, scale * (P + Q)),
@@ -261,7 +261,7 @@ def redrawn(mean, P, Q, scale):
             2 * (1e-4 + 1e-4 + 1e-6),
             "That is the sum of the squared ratios, but Q and P₀ hold variances already.",
         ),
-        "position only": (0.02, "That is the position's share; velocity and acceleration belong to it too."),
+        "position only": (0.02, "0.02 is twice 1/100, as of the positions alone. All six ratios belong to it."),
         "one axis": (0.021, "That is one axis, x or y; each entry stands twice on the diagonal."),
         "acceleration forgotten": (0.04, "The accelerations are missing: they bring 0.0001/0.1 twice."),
         "quotient of the sums": (

@@ -123,7 +123,7 @@ def interval_of_R():
     hints=[
         after(
             1e-4,
-            "You took the unit of q for m²/s. How often does the time stand in m²/s³?",
+            "That is right for a q in m²/s. How often does the time stand in m²/s³?",
             "Which power of a time stands in the unit of q?",
         ),
         "The position's share of Q is q Δt³/3, in m². All Δt are 1000 times too large, and this share has to stay.",

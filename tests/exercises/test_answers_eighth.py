@@ -114,13 +114,13 @@ SPEAKERS = [
     (sorted_raw, "You sort raw bearings", "outvoted"),
     (
         lambda z: np.array([np.mean(z[max(0, k - 19) : k + 1]) for k in range(len(z))]),
-        "the mean of 359 and 1",
+        "Fed with 359 and 1",
         "median",
     ),
     (plain, "of the way to them", "median"),
     (lambda z: bearings.gated_filter(z[None], 0.2, 2.0, 4, 4, 8).mean[0], "Does it switch too early", "median"),
-    (lambda z: medians(61)(z) + 0 * np.mean(z), "behind the walking speaker", "average raw"),
-    (lambda z: np.full(len(z), np.mean(z)), "one bearing for a whole recording", "average raw"),
+    (lambda z: medians(61)(z) + 0 * np.mean(z), "behind the walking speaker", "Fed with 359"),
+    (lambda z: np.full(len(z), np.mean(z)), "one bearing for a whole recording", "Fed with 359"),
 ]
 
 

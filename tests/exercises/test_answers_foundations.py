@@ -95,7 +95,7 @@ SAID = [
     ("predict_correct.predicted_covariance", [[16, 7], [7, 4]], "with dt² = 4"),
     ("predict_correct.printed_position", "ABCD", "A and B and C and D together end at"),
     ("gaussian_fusion.third_opinion", 61.6667 + 0.8333**0.5 / (0.8333**0.5 + 2) * 4.3333, "two standard deviations"),
-    ("gaussian_fusion.third_opinion", 61.6667 + 5 / 6 * 4.3333, "a gain of 5/6"),
+    ("gaussian_fusion.third_opinion", 61.6667 + 5 / 6 * 4.3333, "comes from K = 0.8333"),
     ("gaussian_fusion.third_opinion", 63.5, "lies 0.423 of the way"),
     ("gaussian_fusion.third_opinion", 62, "if you have rounded"),
     ("gaussian_fusion.common_cause", lambda P, R, c: min(max((P - c) / (P + R - 2 * c), 0), 1), "between 0 and 1"),

@@ -175,7 +175,7 @@ OPEN = [
     ("train_and_ship.cart_with_gaps", no_squares, "its square is wanted, there and for R"),
     ("adaptive.unknown_sensor", two_gains, "Use the same R, the learnt one, in both"),
     ("your_data.ride", from_the_last_good_one, "mostly many in a row"),
-    ("is_the_filter_honest.unknown_sensor", changing, "your R changes from reading to reading"),
+    ("is_the_filter_honest.unknown_sensor", changing, "an R which changes from reading to reading"),
     ("voltmeter.whole_filter", corrects_in_gaps, "no factor 1 − K"),
     ("whose_is_it.boat", first_columns, "take its columns 0 and 2"),
     ("whose_is_it.boat", NEAREST, "takes the nearest reading"),

@@ -82,7 +82,7 @@ ANSWERS = [
     ("consider_filter.economical", blocks(lambda C, F, fading, q: fading * F @ C[:, :1]), "one column for each"),
     ("adaptive.window_needed", 33.8, "0.1 is not"),
     ("adaptive.window_needed", 30, "the lesson's window"),
-    ("adaptive.mixture_cov", of_size_two, "You wrote the size 2"),
+    ("adaptive.mixture_cov", of_size_two, "The size 2 stands in"),
     ("adaptive.mixture_cov", spread_not_weighted, "how far the means are apart is not"),
     ("smoothing.one_step_back", (5.5, 0.75), "known exactly"),
     ("smoothing.step_back", P_next_in_the_gain, "divides by P_next"),
@@ -187,7 +187,7 @@ NAMED = [
     (unknown_sensor, gated, "of the readings where the sensor is bad"),
     (unknown_sensor, static, "let a bank change"),
     (unknown_sensor, with_(_unknown_sensor.learn, window=100), "a window must be shorter"),
-    (unknown_sensor, with_(_unknown_sensor.learn, explained=False), "Is HP⁻Hᵀ taken off C?"),
+    (unknown_sensor, with_(_unknown_sensor.learn, explained=False), "Is HP⁻Hᵀ taken off C, and may R̂ fall"),
     (unknown_sensor, with_(_unknown_sensor.learn, rule=root), "Does a standard deviation, or a root"),
     (unknown_sensor, with_(_unknown_sensor.learn, window=0, R=4.0), "uses R = 4 m² in every step"),
 ]

@@ -99,7 +99,7 @@ def samples_for_runs(z, T):
 LKF, OPEN = "linearised_and_extended", "linearised_and_extended.range_and_bearing"
 ANSWERS = [
     (f"{LKF}.widest_belief", np.sqrt(402**2 - 400**2), "right", ""),
-    (f"{LKF}.widest_belief", np.sqrt(2 * 400), "wrong", "one of them is left out"),
+    (f"{LKF}.widest_belief", np.sqrt(2 * 400), "wrong", "has only one of them"),
     (f"{LKF}.widest_belief", 2**2 / 800, "wrong", "a belief 2 m wide"),
     (f"{LKF}.mended_slope", numerator_only, "wrong", "the numerator alone"),
     (f"{LKF}.into_the_plane", lambda r, a, sd_r, sd_a: np.diag([sd_r**2, (r * sd_a) ** 2]), "wrong", "turned against"),

@@ -96,7 +96,7 @@ SAID = [
     ("is_the_filter_honest.nees", lambda e, P: np.sum(np.linalg.inv(P) @ e**2), "as if e were squared first"),
     ("is_the_filter_honest.mystery", "Q too large or R too small", "Both agree with the minus sign"),
     ("is_the_filter_honest.draw_start", own_start, "Use those in `normal`"),
-    ("bearing_of_a_sound.wrap", lambda d: np.degrees(np.arctan2(np.sin(d), np.cos(d))), "take radians"),
+    ("bearing_of_a_sound.wrap", lambda d: np.degrees(np.arctan2(np.sin(d), np.cos(d))), "taken for radians"),
     ("bearing_of_a_sound.wrap", lambda d: np.clip(d, -180, 180), "You cut the difference off"),
     ("bearing_of_a_sound.offset", lambda x1, K, dt: dt * x1 * (1 / K - K), "1/K − 1"),
     ("bearing_of_a_sound.right_prediction", entry_by_entry, "The lower left is still as published"),

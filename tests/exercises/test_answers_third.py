@@ -159,7 +159,7 @@ RIGHT = [("voltmeter.best_error", value) for value in (1.41, 1.414, 1.4142, 2**0
     ("tuning_the_ratio.which_knob", "C"),
 ]
 ANSWERS = [
-    ("start_here.readings_needed", (4 / 0.25) ** 2, "the variance, 2² = 4, for σ"),
+    ("start_here.readings_needed", (4 / 0.25) ** 2, "the variance, 2² = 4, where σ"),
     ("newton_to_state_space.three_sensors", [[1, 0], [50, 0], [0, 50]], "in centimetres and the speedometer"),
     ("newton_to_state_space.held_push", flat, "np.outer(G, G)"),
     ("newton_to_state_space.overwritten", overwritten, "the new first entry"),
@@ -182,7 +182,7 @@ ANSWERS = [
     ("temperature_and_free_fall.suspect", "gravity too small", "Read as “g too small”"),
     ("temperature_and_free_fall.noise", drawn, "Use those in `normal`"),
     ("extended.true_starts", drawn_anew, "Use those in `normal`"),
-    ("train_and_ship.cart_with_gaps", first_twice, "used twice: run the filter over z[1:]"),
+    ("train_and_ship.cart_with_gaps", first_twice, "used twice: start there without one"),
     ("train_and_ship.cart_with_gaps", differences, "same at every reading, gaps included"),
     ("train_and_ship.cart_with_gaps", differences, "NaN has become 0"),
     ("linearised_and_extended.widest_belief", np.sqrt(400 / 2), "both factors 2 multiply"),

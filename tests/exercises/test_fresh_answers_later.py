@@ -49,7 +49,7 @@ ANSWERS = [
     ("adaptive.unknown_sensor", lambda *given: _unknown_sensor.learn(*given, window=25, floor=0.3), "right", ""),
     ("ball_in_a_video.gravity", within(0.9), "wrong", ""),
     ("ball_in_a_video.gravity", within(1.1), "wrong", ""),
-    ("ball_in_a_video.gravity", within(2), "wrong", "too wide"),
+    ("ball_in_a_video.gravity", within(2), "wrong", "1.5 px off"),
     ("ball_in_a_video.gravity", recognised, "wrong", "A median near the floor"),
     (
         "ball_in_a_video.thrown_ball",
@@ -66,7 +66,7 @@ ANSWERS = [
     ("your_data.clock", lambda t, z: np.round(np.diff(t[~np.isnan(z)]), 1), "wrong", "rounded"),
     ("your_data.milliseconds_for_seconds", 1e-8, "wrong", "1000³ is 10⁹"),
     ("extended.mended_prediction", lambda x, P, u: (x, P * u), "wrong", ""),
-    ("bearings_only.mended_bearing", quarter_turns, "wrong", "Without `abs`"),
+    ("bearings_only.mended_bearing", quarter_turns, "wrong", "as without `abs`"),
     ("smoothing.step_back", no_Q_in_the_gain, "wrong", "Your gain is F⁻¹"),
     ("smoothing.one_step_back", (6, 1), "wrong", "right for G = 1"),
     ("smoothing.smoothed_cov", lambda P, B: 1 / (1 / P + 1 / B), "wrong", "entry by entry"),

@@ -69,7 +69,7 @@ SAID = [
     ("start_covariance", [[4, 0], [0, 1]], "predict once"),
     ("start_covariance", [[4, 10], [0, 2]], "transposed"),
     ("with_the_constant", 42.1, "the sign is not"),
-    ("with_the_constant", -68.2, "once for each row"),
+    ("with_the_constant", -68.2, "one for each whole row"),
     ("use_what_is_there", lambda x, P, z, H, R: joseph(x, P, np.nan_to_num(z), H, R), "put 0 in place of NaN"),
     ("use_what_is_there", lambda x, P, z, H, R: (x, P), "as it came in"),
     ("use_what_is_there", diagonal_inverted, "R came in as a vector"),
