@@ -80,7 +80,7 @@ WRONG = {
             lambda s, turn, r: one_minus_K(s, turn, r),
             "Two things: P shrinks by 1 − K·H, not by 1 − K; and asked is the root of P.",
         ),
-        "variances added": (
+        "the root of S": (
             lambda s, turn, r: np.hypot(s * np.sin(np.radians(turn)), r),
             "That is the root of S, H P H + R: how widely the readings scatter. Asked is the standard deviation along the needle after the reading.",
         ),

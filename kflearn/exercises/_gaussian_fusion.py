@@ -146,7 +146,7 @@ WRONG = {
             lambda mx, vx, mz, vz: (vx / (vx + vz) * (mz - mx), vx * vz / (vx + vz)),
             "The variance is right. The first number is the step alone: add it to mean_x.",
         ),
-        "variances averaged": (
+        "the average": (
             lambda mx, vx, mz, vz: (mx + vx / (vx + vz) * (mz - mx), (vx + vz) / 2),
             "The mean is right. The variance is not the average of the two: it is smaller than each of them.",
         ),

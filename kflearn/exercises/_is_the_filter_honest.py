@@ -212,7 +212,7 @@ WRONG = {
             lambda mean, variances, normal: mean * np.sqrt(variances) * normal,
             "You multiplied the mean as well. The mean shifts the scatter, it is added.",
         ),
-        "mean stretched": (
+        "shifted first": (
             lambda mean, variances, normal: (mean + normal) * np.sqrt(variances),
             "You shifted first and stretched afterwards, so the mean was stretched too. First stretch, then add the mean.",
         ),

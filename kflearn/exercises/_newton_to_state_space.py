@@ -271,6 +271,6 @@ WRONG = {
             lambda T, sigma: sigma**2 * np.array([[T**4 / 4, T**3], [T**3, T**2]]),
             "The diagonal is right. The corners are the products of the two entries of G: T²/2 times T.",
         ),
-        "G alone": (lambda T, sigma: column(T**2 / 2, T), "That is G. Q is the covariance σ² G Gᵀ, a matrix (2, 2)."),
+        "only G": (lambda T, sigma: column(T**2 / 2, T), "That is G. Q is the covariance σ² G Gᵀ, a matrix (2, 2)."),
     },
 }

@@ -203,7 +203,7 @@ WRONG = {
             lambda old, z, w: np.sum(abs(angle_difference(old, old[0])) <= w),
             "That is how many agree with the first refused reading. Compare each with the new one.",
         ),
-        "neighbours": (
+        "neighbours alone": (
             lambda old, z, w: np.sum(abs(angle_difference(np.diff(old), 0)) <= w),
             "You compare each refused reading with the one before it. Compare each of them with the new one.",
         ),

@@ -57,7 +57,7 @@ WRONG = {
             lambda e, P: e @ np.linalg.inv(P @ P) @ e,
             "That is eᵀ P⁻¹ P⁻¹ e. P holds variances already: P⁻¹ stands once between the two e.",
         ),
-        "over the determinant": (
+        "divided once more": (
             lambda e, P: e @ np.linalg.inv(P) @ e / np.linalg.det(P),
             "eᵀ P⁻¹ e is right. The determinant is contained in P⁻¹ already: do not divide once more.",
         ),

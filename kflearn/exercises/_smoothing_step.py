@@ -137,7 +137,7 @@ STEP_BACK = {
         step(gain=lambda P, F, P_pred: np.linalg.inv(P_pred) @ P @ F.T),
         "In your gain the inverse stands on the left. It is P Fᵀ (P⁻)⁻¹.",
     ),
-    "from the prediction": (
+    "only the mean from there": (
         lambda x, P, F, Q, x_next, P_next: (
             F @ x - x + rts(x, P, F, Q, x_next, P_next)[0],
             rts(x, P, F, Q, x_next, P_next)[1],

@@ -39,7 +39,7 @@ WRONG = {
             "That is the second gain of the lesson, where P, Q and R are all 4 V². Here they are 2, 3 and 9 V².",
         ),
         "golden": (0.618034, "0.618 is the steady gain for Q = R. Here Q is 3 V² and R is 9 V²."),
-        "Q twice": (
+        "two predictions": (
             8 / 17,
             "0.471 is 8/17, with Q added twice: only one prediction lies between the first and the second reading.",
         ),
