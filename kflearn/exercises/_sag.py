@@ -10,7 +10,10 @@ WRONG = {
         math.sqrt(800),
         "28.3² is 800. In σ²/(2 · 400 m) = 2 m there are two factors 2, the one of the sag and the 2 m of the reading, and 800 m² has only one of them.",
     ),
-    "without the 2, not rooted": (800, "800 is 2 · 400. From σ²/(2 · 400 m) = 2 m follows σ² = 2 · 400 m · 2 m, and σ is the root of that."),
+    "without the 2, not rooted": (
+        800,
+        "800 is 2 · 400. From σ²/(2 · 400 m) = 2 m follows σ² = 2 · 400 m · 2 m, and σ is the root of that.",
+    ),
     "variance of the reading": (
         math.sqrt(3200),
         "56.6 is √(2 · 400 · 4): with the variance of a reading, 4 m², or a factor 2 too many. The sag is a length, so compare it with the σ of a reading, 2 m.",

@@ -38,6 +38,10 @@ WRONG = {
             lambda: third(1 / 3),
             "63.11 is a third of the way, as in the mean of three readings. The three are not equally certain: form K.",
         ),
+        "own variances": (
+            (60 * 5 + 62 * 1 + 66 * 4) / 10,
+            "62.6 is (5 · 60 + 1 · 62 + 4 · 66)/10, where the least certain number weighs most. Weights are precisions, 1 divided by the variance.",
+        ),
         "ratio": (
             lambda: third(0.8333 / 4),
             "62.57 comes from a gain of 0.8333/4, the ratio of the two variances. K is a part of their sum: add 0.8333 below the line.",

@@ -169,7 +169,7 @@ WRONG = {
         ),
         "modulo": (
             lambda old, z, w: np.sum((old - z) % 360 <= w),
-            "As with `% 360`, 3° to the left are 357°: only readings on one side are counted. The short way is between −180 and 180.",
+            "Only readings on one side are counted, as with `% 360`, which makes 357° of 3° to the left. Count both sides.",
         ),
         "one side, not wrapped": (
             lambda old, z, w: np.sum(old - z <= w),

@@ -196,7 +196,10 @@ WRONG = {
             10 + math.sqrt(4 / 13) * 3,
             "That would be so if the two were tied completely, one σ of the velocity for each σ of the position. Use the corner: 6 / 13.",
         ),
-        "for one metre": (10 + 6 / 13, "That is for a cart 1 m further ahead. This one is 3 m further."),
+        "for one metre": (
+            10 + 6 / 13,
+            "10 + 6/13 is for a cart 1 m further ahead; this one is 3 m further. (10 · 63/60, in proportion, leaves the corner out.)",
+        ),
         "ratio alone": (6 / 13, "That is how much faster for each metre. Go on: 3 m, and on top of 10 m/s."),
         "3 m in a second": (
             13.0,

@@ -163,7 +163,10 @@ WRONG = {
             "An entry that is 0 is taken for unknown, too: 0 is a number like any other. Ask np.isnan of the entries as they are.",
         ),
         "the wrong way round": (lambda x: not np.isnan(x).any(), "Your function says yes when the start is known."),
-        "only the first": (lambda x: np.isnan(x[0]), "You look at the first entry only; NaN may sit in any of them."),
+        "only the first": (
+            lambda x: np.isnan(x[0]),
+            "NaN is found only where it stands first; it may sit in any entry.",
+        ),
         "x == nan": (
             lambda x: (x == np.nan).any(),
             "NaN equals nothing, not even itself, so x == np.nan is always False: use np.isnan.",

@@ -69,7 +69,7 @@ def undisturbed():
         ),
         "powers of K": (
             lambda: 1 - SLOW_GAIN**10,
-            "That is nearly the whole weight, but older readings have some of it. After each reading the part 1 − K is left, not K.",
+            "That is the whole weight, or nearly, but older readings have some of it: after each reading the part 1 − K of the weights before is left.",
         ),
         "per cent": (
             lambda: 100 * (1 - (1 - SLOW_GAIN) ** 10),

@@ -143,7 +143,10 @@ def average_nees(P, K, R, claim):
             lambda orders: 10 ** (orders / 2),
             "That is the ratio of the largest to the smallest number; asked is how many powers of ten it is.",
         ),
-        "half, and cut off": (lambda orders: orders // 2, "The half is cut off, as by `//`: for 9 orders the root spans 4.5."),
+        "half, and cut off": (
+            lambda orders: orders // 2,
+            "The half is cut off, as by `//`: for 9 orders the root spans 4.5.",
+        ),
         "five fewer": (
             lambda orders: orders - 5,
             "That is right for ten orders, as in the lesson, and for no other number.",

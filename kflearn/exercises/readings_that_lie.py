@@ -53,7 +53,7 @@ def readings(rng, trial):
     ],
     inputs=in_turn(readings, *range(len(SHARES))),
     wrong=WRONG["is_refused"] | MORE["is_refused"],
-    then="Both sides are squared: the left one over S is the NIS, and 3σ is a limit of 9. An honest filter refuses 0.3 % of its good readings there.",
+    then="Square both sides: the left one over S is the NIS, and 3σ is a limit of 9. An honest filter refuses 0.3 % of its good readings there.",
 )
 def is_refused(reading, x, P, R, sigmas):
     """Does a gate refuse this reading (degrees)? x, P: the prediction and its variance; R: of the reading; sigmas: the gate."""
@@ -183,7 +183,7 @@ def gated_step(x, P, reading, Q, R):
     form=series,
     passing=PASSING,
     failing=FAILING,
-    then="A filter that knows the readings so far finds a new speaker 15 readings late at best: until it ends, an echo looks "
+    then="A filter that knows the readings so far finds a new speaker with his 15th reading at best: until it ends, an echo looks "
     "like a new speaker. A design that looks at later readings, as a smoother does (lesson 23), is not late.",
 )
 def speaker(z):
