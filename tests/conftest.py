@@ -40,4 +40,3 @@ def pytest_internalerror(excrepr):
 def pytest_unconfigure(config):
     if BROKEN and not hasattr(config, "workerinput"):
         print(f"\nThe first of {len(BROKEN)} internal errors of pytest:\n{BROKEN[0]}")
-

@@ -39,7 +39,10 @@ WRONG = {
             63,
             "63 is 60 + 3, the innovation of 3 m/s added to the position. Multiply it by K₁ first.",
         ),
-        "the step": (3.6, "That is the correction K₁ · 3 m/s. Add it to the predicted 60 m."),
+        "the step": (
+            3.6,
+            "3.6 is the correction K₁ · 3 m/s alone, which is added to the predicted 60 m. It is also 60 + K₁ · (13 − 60), but a speed is compared with the predicted speed.",
+        ),
         "wrong sign": (
             56.4,
             "56.4 is 60 − 3.6: the step has the right size and goes the wrong way. The speedometer reads more than predicted, and the corner is positive: the cart is further ahead.",

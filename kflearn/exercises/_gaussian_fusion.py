@@ -213,7 +213,7 @@ WRONG = {
         **far_off(),
         "variance, rounded down": (
             3,
-            "With 3 readings σ is 0.56 m. Did you set 0.3 in place of 0.3²? The precision that is wanted is 1/0.09.",
+            "With 3 readings σ is 0.56 m. Two mistakes lead to 3: 0.3 in place of 0.3² (the precision that is wanted is 1/0.09), or a variance that each reading divides by 6, as the first one does. Precisions add: 1/5 of the prediction, and 1 for each reading.",
         ),
         "not rounded, prediction forgotten": (
             lambda: 1 / 0.09,

@@ -8,7 +8,10 @@ import numpy as np
 def sigma_of(counts):
     """What σ so many readings bring."""
     words = "{} readings bring σ down to {:.3g} m. Solve 2/√n = 0.25 for n."
-    more = {3: " The square of 8 is wanted, not its root.", 100: " Fewer are enough: 100 belongs to another σ."}
+    more = {
+        3: " Three halvings lead from 2 m to 0.25 m, and each takes four times as many readings. (3 is also √8, rounded up. The square of 8 is wanted, not its root.)",
+        100: " Fewer are enough: 100 belongs to another σ.",
+    }
     return {str(n): (n, words.format(f"{n:,}", 2 / math.sqrt(n)) + more.get(n, "")) for n in counts}
 
 

@@ -14,6 +14,7 @@ from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import NOISY
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise, judged
 
@@ -156,7 +157,7 @@ def logarithms(rng):
         "`s = log_weights + log_likelihoods`, then `return s - np.logaddexp.reduce(s)`",
     ],
     inputs=logarithms,
-    wrong=WRONG["weigh"] | FOURTH["weigh"] | FIFTH["weigh"],
+    wrong=WRONG["weigh"] | FOURTH["weigh"] | FIFTH["weigh"] | TENTH["weigh"],
     then="A weight of e⁻²⁰⁰⁰ is 0 for a computer; its logarithm, −2000, is an ordinary number and can rise again.",
 )
 def weigh(log_weights, log_likelihoods):

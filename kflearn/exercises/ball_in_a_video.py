@@ -9,6 +9,7 @@ from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _th
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise, judged
@@ -92,7 +93,7 @@ def a_start(rng):
         "`return s / (p + s + R) * y`",
     ],
     inputs=a_start,
-    wrong=WRONG["first_velocity"] | SLIPS["first_velocity"],
+    wrong=WRONG["first_velocity"] | SLIPS["first_velocity"] | TENTH["first_velocity"],
     then=(
         "With p = s = 100² px² and a small R nearly half of 120 px is taken for velocity; with p = 100² and s = "
         "10² about a hundredth of it."
@@ -137,7 +138,7 @@ def three_rows(rng):
     ],
     inputs=three_rows,
     fixed={"rows": "the text asks about the last three frames"},
-    wrong=WRONG["gravity"],
+    wrong=WRONG["gravity"] | TENTH["gravity"],
     then="A comparison with NaN is False, so a hidden ball keeps falling: what was not seen is not known to rest.",
 )
 def gravity(rows):

@@ -10,6 +10,7 @@ from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -104,7 +105,11 @@ def beliefs(rng):
         "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
-    wrong=WRONG["right_prediction"] | SLIPS["right_prediction"] | MORE["right_prediction"] | FOURTH["right_prediction"],
+    wrong=WRONG["right_prediction"]
+    | SLIPS["right_prediction"]
+    | MORE["right_prediction"]
+    | FOURTH["right_prediction"]
+    | TENTH["right_prediction"],
     then="From a symmetric P comes a symmetric one. The published prediction fails this test, which takes one line.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",

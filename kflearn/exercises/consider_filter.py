@@ -12,6 +12,7 @@ from kflearn.exercises._hints import after
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._slips_tracking import SLIPS
 from kflearn.exercises.engine import exercise
@@ -73,7 +74,8 @@ from kflearn.exercises.engine import exercise
         ),
     }
     | SLIPS["inflated"]
-    | THIRD["inflated"],
+    | THIRD["inflated"]
+    | TENTH["inflated"],
     otherwise=lambda R: SLIPS["inflated"]["by the memory"][1] if 9 < R < 11 else facts.deviation_of(R),
     unit="m²",
     then=(
@@ -96,7 +98,7 @@ def inflated():
         "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
         "`gain = np.array([[4 / 5.25], [0]])`, `kept = np.eye(2) - gain @ [[1, 1]]`, then `kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T`.",
     ],
-    wrong=FIRST_COVARIANCE | SLIPS["first_covariance"] | THIRD["first_covariance"],
+    wrong=FIRST_COVARIANCE | SLIPS["first_covariance"] | THIRD["first_covariance"] | TENTH["first_covariance"],
     unit="m²",
     then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance with the bias is kept, and the bias is not learnt.",
 )

@@ -9,6 +9,7 @@ from kflearn.exercises._error_state_navigation import MORE
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -153,7 +154,8 @@ def tunnel_mouths(rng):
     | THIRD["dark_time"]
     | FOURTH["dark_time"]
     | FIFTH["dark_time"]
-    | SEVENTH["dark_time"],
+    | SEVENTH["dark_time"]
+    | TENTH["dark_time"],
     then=(
         "At t = 2 dv/b both have made the same number of metres: before that the speed error is the larger part, "
         "afterwards the bias."

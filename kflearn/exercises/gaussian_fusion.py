@@ -14,6 +14,7 @@ from kflearn.exercises._slips_fifth_early import on_a_grid
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -35,7 +36,7 @@ def two_opinions(rng):
         "The prediction is now N(61.6667, 0.8333), the measurement N(66, 2²). Start with K.",
         "K = 0.8333 / (0.8333 + 4) = 0.1724. Move that fraction of the way from 61.6667 to 66.",
     ],
-    wrong=WRONG["third_opinion"] | MORE["third_opinion"],
+    wrong=WRONG["third_opinion"] | MORE["third_opinion"] | TENTH["third_opinion"],
     unit="m",
     rtol=5e-4,
     otherwise=lambda mean: (
@@ -71,7 +72,7 @@ def fuse(mean_x, var_x, mean_z, var_z):
         "You need 1/5 + n ≥ 1/0.3².",
         "1/0.09 − 0.2 = 10.91, and readings come in whole numbers.",
     ],
-    wrong=WRONG["readings_needed"] | THIRD["readings_needed"] | FIFTH["readings_needed"],
+    wrong=WRONG["readings_needed"] | THIRD["readings_needed"] | FIFTH["readings_needed"] | TENTH["readings_needed"],
     unit="readings",
     otherwise=lambda n: (
         f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n."
@@ -95,7 +96,7 @@ def two_variances(rng):
         "Published: var_x / var_z. Anna: fused / var_z. Ben: var_x / fused; with fused = var_x * var_z / (var_x + var_z).",
     ],
     inputs=two_variances,
-    wrong=LAST["published_claim"] | MORE["published_claim"] | EIGHTH["published_claim"],
+    wrong=LAST["published_claim"] | MORE["published_claim"] | EIGHTH["published_claim"] | TENTH["published_claim"],
     then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's ratio is even larger than that of the published version.",
 )
 def published_claim(var_x, var_z):

@@ -10,6 +10,7 @@ from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -108,7 +109,8 @@ def undisturbed():
             lambda: 100 * (1 - SLOW_GAIN) ** 10,
             "That is the share of all older readings, in per cent. The ten newest have what is left of the whole.",
         ),
-    },
+    }
+    | TENTH["newest_ten"],
     otherwise=facts.older_than_ten,
     then="With the lesson's K = 0.2207 it is 0.92, and with a tenth of that gain only 0.20. The smaller the gain, the longer the past must be before it counts as infinite.",
 )

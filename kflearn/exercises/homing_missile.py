@@ -10,6 +10,7 @@ from kflearn.exercises._homing_missile import WRONG
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -29,7 +30,7 @@ def errors_on_the_way(rng):
         "`b = -(e + v * t0) / (2 * t0**3)`, then `a = e / t0 - b * t0**2`, then `return a * t + b * t**3`.",
     ],
     inputs=errors_on_the_way,
-    wrong=WRONG["left_over"] | FOURTH["left_over"] | FIFTH["left_over"] | SEVENTH["left_over"],
+    wrong=WRONG["left_over"] | FOURTH["left_over"] | FIFTH["left_over"] | SEVENTH["left_over"] | TENTH["left_over"],
     then="An error at rest (v = 0) of 100 m with 3 s to go is 48 m with 1 s to go, with no reading at all: that is the artefact.",
 )
 def left_over(e, v, t0, t):
@@ -51,7 +52,7 @@ def manoeuvres(rng):
         "`part = np.exp(-dt / lasts)`, and `return part, sd**2 * (1 - part**2)`.",
     ],
     inputs=manoeuvres,
-    wrong=WRONG["memory"] | SEVENTH["memory"],
+    wrong=WRONG["memory"] | SEVENTH["memory"] | TENTH["memory"],
     then="For short steps the noise is 2·sd²·dt/lasts: half the step, half the variance, so that the result does not depend on dt.",
 )
 def memory(lasts, sd, dt):

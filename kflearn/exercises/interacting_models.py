@@ -11,6 +11,7 @@ from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import PUSH
 from kflearn.exercises._slips_models import MORE
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -261,7 +262,8 @@ def swapped(z):
     | MORE["mended_start"]
     | THIRD["mended_start"]
     | FIFTH["mended_start"]
-    | SEVENTH["mended_start"],
+    | SEVENTH["mended_start"]
+    | TENTH["mended_start"],
     then="Run 1 had the right speed all the time: only a test with several runs can show the second fault.",
 )
 def mended_start(z, T):

@@ -11,6 +11,7 @@ from kflearn.exercises._slips_fourth import MYSTERIES
 from kflearn.exercises._slips_honest import WRONG as MORE
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third import MYSTERY, of_interval
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
@@ -47,7 +48,7 @@ def errors_and_claims(rng, n):
         "return e @ np.linalg.solve(P, e)",
     ],
     inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
-    wrong=WRONG["nees"] | SLIPS["nees"] | MORE["nees"],
+    wrong=WRONG["nees"] | SLIPS["nees"] | MORE["nees"] | TENTH["nees"],
     then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
 def nees(e, P):

@@ -7,6 +7,7 @@ from kflearn.exercises import _fitted_R
 from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._let_the_data_choose import WRONG
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
@@ -53,7 +54,7 @@ def runs(rng, T):
         "`seen = ~np.isnan(y)`, then `-0.5 * np.sum(np.log(2 * np.pi * S[seen]) + y[seen]**2 / S[seen])`",
     ],
     inputs=in_turn(runs, 6, 3, 800),
-    wrong=WRONG["log_likelihood"],
+    wrong=WRONG["log_likelihood"] | TENTH["log_likelihood"],
     also=[lambda y, S: np.nansum(-0.5 * (np.log(2 * np.pi * S) + y**2 / S))],
     then="With this function and a filter in a loop you can fit any model with SciPy. That is all that `fit` does, only faster.",
 )
@@ -69,7 +70,7 @@ def log_likelihood(y, S):
         "The derivative with respect to R is −½·4/R² + 1/R. Where is it zero?",
         "½·4/R² = 1/R gives R = 2.",
     ],
-    wrong=WRONG["half_missing"] | THIRD["half_missing"] | FOURTH["half_missing"],
+    wrong=WRONG["half_missing"] | THIRD["half_missing"] | FOURTH["half_missing"] | TENTH["half_missing"],
     otherwise=facts.slope_at,
     unit="",
     then="A σ of 1.41 in place of 2, with no error message and a search that says it converged. Only the mean NIS shows it: it is 2.",
@@ -111,7 +112,7 @@ def walks(rng, T):
     inputs=in_turn(walks, 30, 40, 24),
     trials=6,
     rtol=0.06,
-    wrong=_fitted_R.WRONG,
+    wrong=_fitted_R.WRONG | TENTH["fitted_R"],
     otherwise=_fitted_R.of_all,
     then="Known parameters stay in `build`, unknown ones are its arguments: so any mixture of both is fitted.",
 )

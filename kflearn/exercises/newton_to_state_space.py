@@ -8,6 +8,7 @@ from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_start import WRONG as MORE
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -25,7 +26,7 @@ def steps_masses_and_drags(rng):
         "`F = np.array([[1, dt - c * dt**2 / (2 * mass)], [0, 1 - c * dt / mass]])`, then `return F, np.array([[dt**2 / 2], [dt]]) / mass`",
     ],
     inputs=steps_masses_and_drags,
-    wrong=WRONG["motion"] | MORE["motion"] | THIRD["motion"] | FOURTH["motion"],
+    wrong=WRONG["motion"] | MORE["motion"] | THIRD["motion"] | FOURTH["motion"] | TENTH["motion"],
     then="With c = 0 it is the lesson's cart. Unlike (3), this F is not exact: the drag changes during the step, so dt must be short beside m/c.",
 )
 def motion(dt, mass, c):
@@ -252,7 +253,8 @@ def one_after_the_other(F, x, order=(0, 1)):
         "unchanged": (lambda F, x: x, "You return the old state. Where are the new entries?"),
     }
     | THIRD["overwritten"]
-    | SEVENTH["overwritten"],
+    | SEVENTH["overwritten"]
+    | TENTH["overwritten"],
     then="For the cart F[1, 0] is 0, so its second line does not contain x[0] at all. And `F @ x` calculates the whole new vector before anything is overwritten.",
     fixed={
         "F": "the published program steps a state of two numbers, entry by entry, and so does the answer",

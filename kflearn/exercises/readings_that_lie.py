@@ -10,6 +10,7 @@ from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import shut
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_gates import WRONG as MORE
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._speaker import (
     FAILING,
@@ -52,7 +53,7 @@ def readings(rng, trial):
         "`return angle_difference(reading, x) ** 2 > sigmas**2 * (P + R)`",
     ],
     inputs=in_turn(readings, *range(len(SHARES))),
-    wrong=WRONG["is_refused"] | MORE["is_refused"],
+    wrong=WRONG["is_refused"] | MORE["is_refused"] | TENTH["is_refused"],
     then="Square both sides: the left one over S is the NIS, and 3σ is a limit of 9. An honest filter refuses 0.3 % of its good readings there.",
 )
 def is_refused(reading, x, P, R, sigmas):
@@ -75,7 +76,7 @@ def openings(rng):
     ],
     inputs=openings,
     rtol=1e-9,
-    wrong=WRONG["steps_shut"] | MORE["steps_shut"],
+    wrong=WRONG["steps_shut"] | MORE["steps_shut"] | TENTH["steps_shut"],
     otherwise=shut,
     then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after about 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
@@ -106,7 +107,12 @@ def refusals(rng, n):
         "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
     ],
     inputs=in_turn(refusals, 2, 5, 3, 8, 0),
-    wrong=WRONG["agreeing"] | MORE["agreeing"] | THIRD["agreeing"] | FOURTH["agreeing"] | EIGHTH["agreeing"],
+    wrong=WRONG["agreeing"]
+    | MORE["agreeing"]
+    | THIRD["agreeing"]
+    | FOURTH["agreeing"]
+    | EIGHTH["agreeing"]
+    | TENTH["agreeing"],
     then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
 )
 def agreeing(refused, reading, width):

@@ -7,6 +7,7 @@ import numpy as np
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_start import WRONG as SLIPS
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._start_here import WRONG
 from kflearn.exercises._turns import in_turn
@@ -37,7 +38,8 @@ from kflearn.exercises.engine import exercise
     }
     | SLIPS["three_readings"]
     | THIRD["three_readings"]
-    | FOURTH["three_readings"],
+    | FOURTH["three_readings"]
+    | TENTH["three_readings"],
     unit="m",
     otherwise=lambda mean: (
         f"Your answer is {'too high' if mean > 63 else 'too low'}: three readings with this mean add up to {3 * mean:.6g} m. What do 61, 62 and 66 m add up to?"
@@ -174,7 +176,7 @@ def errors(rng, n):
         "`return np.sqrt(np.mean(error**2))`",
     ],
     inputs=in_turn(errors, 2, 6, 9, 3),
-    wrong=WRONG["root_mean_square"] | SLIPS["root_mean_square"] | THIRD["root_mean_square"],
+    wrong=WRONG["root_mean_square"] | SLIPS["root_mean_square"] | THIRD["root_mean_square"] | TENTH["root_mean_square"],
     unit="m",
     then="For normally distributed errors the mean absolute error is 0.80 σ: that is why the published line looks a fifth better than it is.",
 )

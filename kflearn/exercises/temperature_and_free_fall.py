@@ -10,6 +10,7 @@ from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_rooms import WRONG as MORE
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third_filters import SUSPECT
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._temperature_and_free_fall import WRONG
@@ -35,7 +36,8 @@ def rooms(rng):
     | SLIPS["mended_step"]
     | MORE["mended_step"]
     | THIRD["mended_step"]
-    | SEVENTH["mended_step"],
+    | SEVENTH["mended_step"]
+    | TENTH["mended_step"],
     fixed={"room": "the truth, at which the right step does not look"},
     then="With the truth in place of the reading the error looks far smaller than it would in a real room, where nobody knows the truth.",
 )
@@ -61,7 +63,7 @@ def days(rng, count):
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
     inputs=in_turn(days, 3, 6, 4, 2, 9),
-    wrong=WRONG["room_filter"] | MORE["room_filter"] | FOURTH["room_filter"],
+    wrong=WRONG["room_filter"] | MORE["room_filter"] | FOURTH["room_filter"] | TENTH["room_filter"],
     otherwise=lambda results, rights: of_a_start(results, room_filter.cases),
     then="A start at x = 0 with P = 10⁶ and a loop over all readings would give nearly the same: from so vague a start, the first correction makes x the first reading and P nearly R.",
 )
@@ -127,7 +129,7 @@ def draws(rng, steps):
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
     inputs=in_turn(draws, 3, 5, 2, 1, 6),
-    wrong=WRONG["noise"] | SLIPS["noise"] | MORE["noise"] | FOURTH["noise"],
+    wrong=WRONG["noise"] | SLIPS["noise"] | MORE["noise"] | FOURTH["noise"] | TENTH["noise"],
     fixed={"Q": "height and velocity are two states, so Q is always two by two"},
     then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
 )
@@ -152,7 +154,10 @@ def published_falls(rng, T):
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
     inputs=in_turn(published_falls, 6, 8, 7, 10),
-    wrong=_falling_report.WRONG["honest_report"] | MORE["honest_report"] | FOURTH["honest_report"],
+    wrong=_falling_report.WRONG["honest_report"]
+    | MORE["honest_report"]
+    | FOURTH["honest_report"]
+    | TENTH["honest_report"],
     fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
     then="Always print the error of ignoring all readings beside that of the filter. The published report leaves it out.",
 )

@@ -11,6 +11,7 @@ from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises._slips_train import WRONG as MORE
 from kflearn.exercises._train_and_ship import WRONG
@@ -91,7 +92,7 @@ def fix_errors(rng, count):
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
     inputs=in_turn(fix_errors, 3, 12, 5, 2),
-    wrong=WRONG["report"] | MORE["report"] | SEVENTH["report"],
+    wrong=WRONG["report"] | MORE["report"] | SEVENTH["report"] | TENTH["report"],
     then="You need both numbers. A large mean error says that the receiver is biased, and a filter that assumes errors of mean zero does not remove a bias.",
 )
 def report(errors):
@@ -120,10 +121,7 @@ def report(errors):
             lambda: 36 / (math.pi / 2),
             "22.9 is (6/1.25)², with 6 m for the mean distance, 1.25 σ. The radius that holds half of the fixes is 1.18 σ.",
         ),
-        "a deviation": (
-            lambda: 6 / math.sqrt(2 * math.log(2)),
-            "That is σ, in metres. R is a variance: square it.",
-        ),
+        "a deviation": (lambda: 6 / math.sqrt(2 * math.log(2)), "That is σ, in metres. R is a variance: square it."),
         "as 2σ": (
             9.0,
             "9 is (6/2)², as if 6 m were 2σ. A radius of 2σ holds 86 % of the fixes in the plane; this one holds half.",
@@ -194,7 +192,10 @@ def two_fixes(rng):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong=_two_fixes.WRONG["two_point_start"] | MORE["two_point_start"] | FOURTH["two_point_start"],
+    wrong=_two_fixes.WRONG["two_point_start"]
+    | MORE["two_point_start"]
+    | FOURTH["two_point_start"]
+    | TENTH["two_point_start"],
     then="Half the dt makes the σ of the speed twice as large. So two fixes further apart make the better start, as long as Q may be left out.",
 )
 def two_point_start(z0, z1, dt, R):

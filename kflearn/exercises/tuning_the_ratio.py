@@ -11,6 +11,7 @@ from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_fourth import KNOBS
 from kflearn.exercises._slips_practice import WRONG as SLIPS
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._slips_third import KNOB
 from kflearn.exercises._slips_third import WRONG as THIRD
 from kflearn.exercises._tuning_the_ratio import WRONG, of_sigma, sheet_by_sheet
@@ -29,7 +30,7 @@ from kflearn.exercises.engine import exercise
         "q = 0.04. K solves K² + qK − q = 0, and the variance after a reading is K·R.",
         "K = (√(0.0016 + 0.16) − 0.04)/2 = 0.1810; P = 0.1810 · 0.25 = 0.04525 °C²; σ = √P = 0.2127 °C.",
     ],
-    wrong=WRONG["steady_sigma"] | LATER["steady_sigma"],
+    wrong=WRONG["steady_sigma"] | LATER["steady_sigma"] | TENTH["steady_sigma"],
     unit="°C",
     otherwise=of_sigma,
     then="The filter claims ±0.43 °C (two sigmas), where the thermometer alone has ±1 °C.",
@@ -48,7 +49,7 @@ def steady_sigma():
         "and σ = a/√3.",
         "(a) 2.5² = 6.25 m²; (b) 0.3² = 0.09 °C²; (c) 0.25²/3 = 0.0208 V².",
     ],
-    wrong=WRONG["data_sheets"],
+    wrong=WRONG["data_sheets"] | TENTH["data_sheets"],
     rtol=5e-3,
     otherwise=sheet_by_sheet,
     then="With 1.96 in place of 2, (b) is 0.0937 °C², which is right as well. The σ of the rounding, 0.144 V, is less than a third of the step.",
@@ -133,7 +134,11 @@ def drifting_recordings(rng, n):
         lambda readings: np.mean(abs(np.diff(readings))) ** 2 * np.pi / 4,
         lambda readings: (1.4826 * np.median(abs(np.diff(readings)))) ** 2 / 2,
     ],
-    wrong=MORE["R_with_drift"] | SLIPS["R_with_drift"] | LATER["R_with_drift"] | EIGHTH["R_with_drift"],
+    wrong=MORE["R_with_drift"]
+    | SLIPS["R_with_drift"]
+    | LATER["R_with_drift"]
+    | EIGHTH["R_with_drift"]
+    | TENTH["R_with_drift"],
     then="It works as long as the drift from one reading to the next is small beside the noise. What would a sudden step of the source do to it?",
 )
 def R_with_drift(readings):

@@ -7,6 +7,7 @@ from kflearn.exercises._slips_fifth_late_points import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_points import MORE
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_filters import WRONG as THIRD
 from kflearn.exercises.engine import exercise
 
@@ -67,14 +68,12 @@ def image(degrees):
     | MORE["three_points"]
     | FOURTH["three_points"]
     | FIFTH["three_points"]
-    | SEVENTH["three_points"],
+    | SEVENTH["three_points"]
+    | TENTH["three_points"],
     otherwise=facts.weight_of_centre,
     unit="m",
     rtol=1e-4,
-    then=(
-        "The true mean is 87.19 m: three points miss it by 2 cm, the tangent by almost 13 m. What would an angle "
-        "of 90° ± 60° do to both?"
-    ),
+    then="The true mean is 87.19 m: three points miss it by 2 cm, the tangent by almost 13 m. What would an angle of 90° ± 60° do to both?",
 )
 def three_points():
     """The mean of 100 sin θ for θ of 90° ± 30°, by the unscented rule with n = 1, α = 1, κ = 2."""

@@ -14,6 +14,7 @@ from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_seventh_early import of_best_error
+from kflearn.exercises._slips_tenth_early import WRONG as TENTH
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._voltmeter import WRONG
 from kflearn.exercises._voltmeter_start import WRONG as MORE
@@ -57,7 +58,7 @@ def noises(rng):
     ],
     inputs=noises,
     rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
-    wrong=WRONG["steady_gain"] | SLIPS["steady_gain"] | LATER["steady_gain"],
+    wrong=WRONG["steady_gain"] | SLIPS["steady_gain"] | LATER["steady_gain"] | TENTH["steady_gain"],
     then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
 def steady_gain(Q, R):
@@ -189,7 +190,8 @@ def auto_start(z, H, R):
             "1.416 V is what the simulation measured. Asked is the exact value: four digits of it are enough.",
         ),
         "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
-    },
+    }
+    | TENTH["best_error"],
     otherwise=of_best_error,
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )

@@ -7,6 +7,7 @@ from kflearn.exercises._judge import track
 from kflearn.exercises._slips_fifth_late_when import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._when_was_it import OTHER_WAYS, WRONG, of_no_table
 from kflearn.exercises.engine import exercise, judged
@@ -47,7 +48,11 @@ def two_speeds(rng, T):
         "`found = [np.corrcoef(v[: len(v) - j], late[j:])[0, 1] for j in range(11)]`, then `np.argmax(found) * dt`",
     ],
     inputs=in_turn(two_speeds, 60, 50, 90),
-    wrong=WRONG["clock_offset"] | FOURTH["clock_offset"] | FIFTH["clock_offset"] | SEVENTH["clock_offset"],
+    wrong=WRONG["clock_offset"]
+    | FOURTH["clock_offset"]
+    | FIFTH["clock_offset"]
+    | SEVENTH["clock_offset"]
+    | TENTH["clock_offset"],
     also=OTHER_WAYS,
     then="Speeds serve better than places: a place has no sharp features, and its correlation is near 1 at every shift.",
 )

@@ -11,6 +11,7 @@ from kflearn.exercises._judge import track
 from kflearn.exercises._slips_data import SLIPS
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
+from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
 from kflearn.exercises._your_data import WRONG
 from kflearn.exercises.engine import exercise, judged
@@ -224,11 +225,8 @@ def gappy(rng):
         "`return np.diff(time[~np.isnan(z)])`",
     ],
     inputs=gappy,
-    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"] | SEVENTH["clock"],
-    then=(
-        "The sum of the steps is the time from the first reading to the last: a check worth having in every "
-        "program that reads a clock."
-    ),
+    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"] | SEVENTH["clock"] | TENTH["clock"],
+    then="The sum of the steps is the time from the first reading to the last: a check worth having in every program that reads a clock.",
 )
 def clock(time, z):
     """The steps (s) between the readings that are there; time (T,), z (T,) with NaN where one is missing."""
