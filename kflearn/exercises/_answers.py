@@ -140,7 +140,7 @@ def _numbers(answer, right):
     try:
         array = np.asarray(answer)
     except ValueError:
-        raise Misfit(f"of type {kind}, and its rows are not of equal length") from None
+        raise Misfit(f"of type {kind}, and its parts differ in shape") from None
     if array.dtype == object:  # fractions, decimals, very long integers; or no numbers at all
         try:
             array = array.astype(float)

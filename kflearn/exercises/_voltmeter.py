@@ -163,6 +163,10 @@ WRONG = {
             "An entry that is 0 is taken for unknown, too: 0 is a number like any other. Ask np.isnan of the entries as they are.",
         ),
         "the wrong way round": (lambda x: not np.isnan(x).any(), "Your function says yes when the start is known."),
+        "the places": (
+            lambda x: np.flatnonzero(np.isnan(x)),
+            "You return the places of the unknown entries. True or False is wanted: is there any?",
+        ),
         "only the first": (
             lambda x: np.isnan(x[0]),
             "NaN is found only where it stands first; it may sit in any entry.",

@@ -35,6 +35,7 @@ def offsets(rng):
     inputs=offsets,
     wrong=WRONG["mended_bearing"] | THIRD["mended_bearing"] | FIFTH["mended_bearing"],
     then="NumPy's arctan2 was made for this, and it also works where east is 0. Which bearing has a target due south?",
+    rtol=1e-4,  # with 6.2832 for 2π
 )
 def mended_bearing(east, north):
     """The bearing of a target (rad, from 0 to 2π, counted from east towards north), `east` and `north` of a station."""
@@ -79,6 +80,7 @@ def review():
     inputs=lambda rng: (float(rng.integers(1, 400) / 100),),
     wrong=WRONG["bearing_variance"] | FOURTH["bearing_variance"],
     then="For 0.1° it is 3·10⁻⁶ rad². The published number describes a sensor of 2.4°, so the filter gives good readings far too little weight.",
+    rtol=5e-4,  # numbers of the learner's own, such as 0.0175 for π/180
 )
 def bearing_variance(sd):
     """R (rad²) of a sensor whose bearings scatter with the standard deviation `sd`, in degrees."""

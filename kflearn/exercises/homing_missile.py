@@ -181,6 +181,7 @@ def needles(rng):
     inputs=needles,
     wrong=_false_range.WRONG["false_range"] | THIRD["false_range"] | SEVENTH["false_range"],
     then="With 400 m, 2.27° and 4.01 m it is 98 m: three quarters of σ are gone, after one reading that never measured the range.",
+    rtol=5e-4,  # numbers of the learner's own, such as 0.0175 for π/180
 )
 def false_range(sigma, turn, across):
     """What is left of a needle's sigma (m) after a reading across a line turned by `turn` degrees, good to `across` m."""
