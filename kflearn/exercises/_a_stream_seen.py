@@ -119,7 +119,7 @@ MARKS = [
         "NEES / 2",
         nees(10),
         low=0.9,
-        high=1.12,
+        high=1.1,
         below=likely(
             "The covariance is too large for the errors.",
             "Are all readings used?",
