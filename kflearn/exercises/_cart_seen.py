@@ -84,7 +84,7 @@ def of_the_gaps(answers, recordings):
     if all(by_one[i] or recordings[i][0][1] == 1 for i in range(len(answers))):
         return "In the gaps your position moves on by one second's way, and a step lasts dt: does F contain dt?"
     if all(growth(*each)[0][0, 0] < 0 for each in zip(answers, recordings, strict=True)):
-        return "In the gaps your P is smaller than the motion makes it, as if something had been read: is a NaN taken for a number, such as 0 or the last reading?"
+        return "In the gaps your P is smaller than the motion makes it of the P before. Is a NaN taken for a number, is the speed in the state, and is P handed in after its correction?"
     if not any(moved):
         return "In the gaps your mean does not move on as F says: position + dt · speed, and the same speed."
     return None

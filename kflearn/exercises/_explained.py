@@ -164,7 +164,7 @@ def _of_matrices(answer, cases, good, names):
         return f"{lead} {sign} turns over each entry by itself; the inverse of a matrix is `np.linalg.inv({name})`."
     if all(np.ndim(part) for part in cases[0]) and _code_of.has(answer, r"[A-Za-z_)\]] *(?<!\*)\*(?!\*) *[A-Za-z_(]"):
         return f"{lead} `*` multiplies entry by entry; the product of matrices is `@`."
-    return f"{lead} For larger ones look at the transposes, the inverses, and the order of the factors."
+    return f"{lead} What is different in larger ones: a transpose, an inverse, the order of factors, a part, a choice?"
 
 
 def _turned_over(answer, names):

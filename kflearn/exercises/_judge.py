@@ -13,7 +13,7 @@ from kflearn.exercises._kinds import Exercise
 from kflearn.exercises._messages import Outcome
 from kflearn.exercises._raised import arity_fault, told
 from kflearn.exercises._results import first_endless, of_gaps, of_rows, pair, singular
-from kflearn.exercises._watch import TooLong
+from kflearn.exercises._watch import TooLong, in_time
 
 RECORDINGS = 20  # on which a filter is judged
 LIKELY = (
@@ -105,7 +105,7 @@ class OpenExercise(Exercise):
         What names a mistake where a filter does not pass; the first that speaks takes the place of the marks' advice.
     """
 
-    subject = "the result"
+    subject, limit = "the result", False  # each recording has a limit of its own
 
     def __init__(self, solution, hints, recording, marks, form, then, passing, failing, signs=()):
         super().__init__(solution, hints, {}, "", 0, 0, then)
@@ -122,7 +122,8 @@ class OpenExercise(Exercise):
         answers = []
         for number, (inputs, truth) in enumerate(self.recordings):
             try:
-                answers.append(answer(*copy.deepcopy(inputs)))
+                with in_time():
+                    answers.append(answer(*copy.deepcopy(inputs)))
             except KeyboardInterrupt:
                 raise
             except BaseException as error:

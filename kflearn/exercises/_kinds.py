@@ -32,7 +32,7 @@ class Exercise:
     rtol, atol : float
     """
 
-    subject, wanted, otherwise = "your answer", "numbers", None
+    subject, wanted, otherwise, limit = "your answer", "numbers", None, True
 
     def __init__(self, solution, hints, wrong, unit, rtol, atol, then):
         self.name, self.module, self.question = solution.__name__, solution.__module__, inspect.getdoc(solution) or ""
@@ -51,7 +51,7 @@ class Exercise:
         """Compare an answer with the right one. Whatever is handed in, the outcome explains it; nothing is raised."""
         printed = Printed()
         try:
-            with watched(printed):
+            with watched(printed, self.limit):
                 if unfinished(answer):
                     return Outcome("not attempted", NOTHING[isinstance(answer, str)])
                 self._last = answer

@@ -36,7 +36,7 @@ def of_P(answer, answers, recordings):
         return f"In {100 * idle:.0f} % of the steps your P is as predicted, so the reading is not used. Here all readings are of the target: use each of them."
     later = [used_R(more[1:], H[1:]) for more, H in both]
     if any(each is None for each in later):
-        return "Your P is not that of F P Fᵀ + Q and I − K H, for the order east, its speed, north, its speed. Is it the order, Q, or the correction of P?"
+        return "Your P is not that of F P Fᵀ + Q and I − K H, for the order east, its speed, north, its speed. Is it the order, Q, the correction of P, or the moment (after the correction)?"
     if not all(map(is_R, later)):
         distance, bearing = np.diag(np.median(np.concatenate(later), axis=0))
         return (

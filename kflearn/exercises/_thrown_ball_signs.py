@@ -218,7 +218,7 @@ def of_gains(parts):
         return "Your P is right. Your state moves away from the detection: the innovation is z − H x."
     place, velocity = (np.mean(abs(part - 1).max(axis=1) > 1e-6) for part in (parts[:, :2], parts[:, 2:]))
     if place < 0.02 < velocity:
-        return "Your P is right, and the place moves by K (z − H x). The velocities do not: K has four rows, one for each state."
+        return "The place moves by K (z − H x). The velocities do not always: K has four rows, one for each state. Or does something set them anew?"
     if place > 0.02:
         often = f"In {100 * place:.0f} % of the corrections your" if place < 0.98 else "Your"
         return f"Your P is right. {often} state does not move by K (z − H x), with the K that made P smaller."

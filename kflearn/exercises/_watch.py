@@ -47,13 +47,18 @@ class Printed(io.TextIOBase):
 
 
 @contextlib.contextmanager
-def watched(printed):
-    """Run code with its prints taken, without warnings, and no longer than SECONDS of work: then TooLong is raised."""
+def watched(printed, limit=True):
+    """Run code with its prints taken, without warnings, and `in_time` if there is to be a limit."""
     with contextlib.redirect_stdout(printed), warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
-        main = threading.current_thread() is threading.main_thread()
-        with _limit(SECONDS) if main else contextlib.nullcontext():
+        with in_time() if limit else contextlib.nullcontext():
             yield
+
+
+def in_time():
+    """A context in which code may work for SECONDS: then TooLong is raised in it."""
+    main = threading.current_thread() is threading.main_thread()
+    return _limit(SECONDS) if main else contextlib.nullcontext()
 
 
 @contextlib.contextmanager

@@ -134,7 +134,7 @@ SAID = [
     (fused_position, [Hostile()], "cannot be read as numbers."),
     (lopsided, [[13, 6.5], [6, 4]], "✗ Not yet. Your answer differs in 1 of 4 entries: [1, 1] is too high."),
     (lopsided, [[13, 6], [6.5, 3]], "✗ Not yet. Your answer is the transpose of what it should be."),
-    (lopsided, [[13, 6.5], [6]], "should be an array of shape (2, 2), but it is of type list, and its rows"),
+    (lopsided, [[13, 6.5], [6]], "should be an array of shape (2, 2), but it is of type list, and its parts"),
     (lopsided, [13, 3], "should be an array of shape (2, 2), but it is an array of shape (2,)."),
     (lopsided, np.ones((2, 2, 1)), "an array of shape (2, 2, 1)."),
     (lopsided, 13, "should be an array of shape (2, 2), but it is one number."),

@@ -8,6 +8,7 @@ import types
 import pytest
 
 from kflearn.exercises import _watch
+from kflearn.exercises.voltmeter import whole_filter
 from tests.exercises.examples import correct
 
 
@@ -66,3 +67,25 @@ def test_without_threads_a_check_has_no_limit_and_works(monkeypatch):
     before = signal.getsignal(signal.SIGINT)
     assert correct.check(correct._solve).status == "right"
     assert signal.getsignal(signal.SIGINT) == before
+
+
+def test_an_open_exercise_has_a_limit_for_each_recording(monkeypatch):
+    """Twenty recordings take longer than one; an endless loop is stopped in the first."""
+    monkeypatch.setattr("kflearn.exercises._watch.SECONDS", 0.3)
+    calls = []
+
+    def slow(*inputs):
+        calls.append(1)
+        end = time.process_time() + 0.1
+        while time.process_time() < end:
+            pass
+        return whole_filter._solve(*inputs)
+
+    def endless(*inputs):
+        calls.append(1)
+        while True:
+            pass
+
+    assert whole_filter.check(slow).status == "right" and len(calls) >= 10
+    calls.clear()
+    assert whole_filter.check(endless).status == "raised" and len(calls) == 1
