@@ -146,7 +146,10 @@ def gain(scenes, rows, reading):
     earlier = [s._replace(cov=F @ (s.cov - s.Q[0]) @ F.T) for s, F in zip(scenes, back, strict=True)]
     if np.mean(abs(np.concatenate([turns(s)[0] for s in earlier]) - 1) < 0.01) > 0.9:
         return f"Your P is predicted once more before you store it: return x and P after the correction, of the same {rows[:-1]}."
-    return "Your state does not move by K (z − H x), with the K that makes your P smaller: x and P need the same K, and P becomes (I − K H) P."
+    return (
+        "In many steps your state does not move by K (z − H x) with the K that makes your P smaller. "
+        "Do x and P get the same K? Is a gate far too narrow? P becomes (I − K H) P."
+    )
 
 
 def sign(check, scenes, *words, z_at=0, of_filters_only=False):
