@@ -31,7 +31,11 @@ WRONG = {
         ),
         "2π forgotten": (-0.5 * (np.log(5) + 1.8), "2π is missing in the logarithm."),
         "π for 2π": (-0.5 * (np.log(np.pi * 5) + 1.8), "It is 2π in the logarithm, not π."),
-        "no NIS": (-0.5 * LOG, "That is for a reading exactly as expected. y²/S is missing."),
+        "no NIS": (
+            -0.5 * LOG,
+            "That is the number of a reading exactly as expected, y = 0. This one is 3 V off: its y²/S counts too. (The logarithm of the "
+            "probability to be so far off, or further, is by chance about the same; wanted is that of the bell's height.)",
+        ),
         "only the NIS": (-0.9, "That is the second part alone. log 2πS is missing."),
         "the NIS": (1.8, "That is the NIS alone. It is the second part of the bracket."),
         "the density": (
@@ -60,7 +64,11 @@ WRONG = {
             4.0,
             "That is where a right likelihood comes to. Without the ½ the two parts are no longer in balance.",
         ),
-        "other way": (8.0, "It goes the other way: the logarithm, which punishes a large R, has become heavier."),
+        "other way": (
+            8.0,
+            "8 is twice 4, and half of 4². It goes the other way: the logarithm, which punishes a large R, has become heavier. And 4 is "
+            "the mean of y² already: nothing is squared.",
+        ),
         "root": (np.sqrt(2), "That is the σ that belongs to it. R was asked for."),
         "root of eight": (
             np.sqrt(8),

@@ -159,7 +159,11 @@ WRONG = {
         ),
     },
     "milliseconds_for_seconds": {
-        "a million": (0.1 / 1e18, "A second has a thousand milliseconds, not a million: divide by 1000³."),
+        "a million": (
+            0.1 / 1e18,
+            "That is 0.1 divided by 10¹⁸, a million three times or 1000 six times. A second has a thousand milliseconds, and the "
+            "time stands three times in m²/s³: q is no σ, so nothing is squared. Divide by 1000³.",
+        ),
         "the thermometer": (
             3.54e-08,
             "That is the q of the lesson's thermometer. Start from 0.1 m²/s³; the time stands three times in the unit.",

@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._bearings_only import WRONG
 from kflearn.exercises._hints import tried
+from kflearn.exercises._slips_eleventh import WRONG as ELEVENTH
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import REVIEW
@@ -33,7 +34,7 @@ def offsets(rng):
         "In one line: `return np.arctan2(north, east) % (2 * np.pi)`.",
     ],
     inputs=offsets,
-    wrong=WRONG["mended_bearing"] | THIRD["mended_bearing"] | FIFTH["mended_bearing"],
+    wrong=WRONG["mended_bearing"] | THIRD["mended_bearing"] | FIFTH["mended_bearing"] | ELEVENTH["mended_bearing"],
     then="NumPy's arctan2 was made for this, and it also works where east is 0. Which bearing has a target due south?",
     rtol=1e-4,  # with 6.2832 for 2π
 )
@@ -78,7 +79,7 @@ def review():
         "In one line: `return np.radians(sd) ** 2`.",
     ],
     inputs=lambda rng: (float(rng.integers(1, 400) / 100),),
-    wrong=WRONG["bearing_variance"] | FOURTH["bearing_variance"],
+    wrong=WRONG["bearing_variance"] | FOURTH["bearing_variance"] | ELEVENTH["bearing_variance"],
     then="For 0.1° it is 3·10⁻⁶ rad². The published number describes a sensor of 2.4°, so the filter gives good readings far too little weight.",
     rtol=5e-4,  # numbers of the learner's own, such as 0.0175 for π/180
 )
@@ -158,7 +159,7 @@ def bearing_variance(sd):
         ),
         "target's velocity added": (
             (-3, -6),
-            "That is twice the relative velocity, plus the target's. It is relative to us: add ours.",
+            "(−3, −6) is twice the relative velocity plus the target's own, and also three times the relative one plus ours. Double the relative velocity once, then add ours, (6, 0).",
         ),
         "target's taken off": (
             (-9, -2),

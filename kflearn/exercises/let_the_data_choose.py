@@ -6,6 +6,7 @@ from kflearn import fit, random_walk
 from kflearn.exercises import _fitted_R
 from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._let_the_data_choose import WRONG
+from kflearn.exercises._slips_eleventh import WRONG as ELEVENTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
@@ -30,7 +31,7 @@ def near_the_density(answer):
         "S = 5, so 2πS = 31.42 and its logarithm is 3.447. The NIS is y²/S = 1.8.",
         "`-0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)`",
     ],
-    wrong=WRONG["one_reading"] | FOURTH["one_reading"],
+    wrong=WRONG["one_reading"] | FOURTH["one_reading"] | ELEVENTH["one_reading"],
     otherwise=near_the_density,
     then="A reading exactly as expected, y = 0, would have −1.72. The largest value there can be falls as S grows: a wide claim costs.",
 )
@@ -54,7 +55,7 @@ def runs(rng, T):
         "`seen = ~np.isnan(y)`, then `-0.5 * np.sum(np.log(2 * np.pi * S[seen]) + y[seen]**2 / S[seen])`",
     ],
     inputs=in_turn(runs, 6, 3, 800),
-    wrong=WRONG["log_likelihood"] | TENTH["log_likelihood"],
+    wrong=WRONG["log_likelihood"] | TENTH["log_likelihood"] | ELEVENTH["log_likelihood"],
     also=[lambda y, S: np.nansum(-0.5 * (np.log(2 * np.pi * S) + y**2 / S))],
     then="With this function and a filter in a loop you can fit any model with SciPy. That is all that `fit` does, only faster.",
     rtol=1e-4,  # with 6.2832 for 2π
@@ -113,7 +114,7 @@ def walks(rng, T):
     inputs=in_turn(walks, 30, 40, 24),
     trials=6,
     rtol=0.06,
-    wrong=_fitted_R.WRONG | TENTH["fitted_R"],
+    wrong=_fitted_R.WRONG | TENTH["fitted_R"] | ELEVENTH["fitted_R"],
     otherwise=_fitted_R.of_all,
     then="Known parameters stay in `build`, unknown ones are its arguments: so any mixture of both is fitted.",
 )

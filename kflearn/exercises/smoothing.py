@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._hints import after
 from kflearn.exercises._slips_data import SLIPS
+from kflearn.exercises._slips_eleventh import WRONG as ELEVENTH
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_fourth_words import GAP
@@ -120,7 +121,8 @@ from kflearn.exercises.engine import exercise
     }
     | SLIPS["one_step_back"]
     | THIRD["one_step_back"]
-    | FIFTH["one_step_back"],
+    | FIFTH["one_step_back"]
+    | ELEVENTH["one_step_back"],
     otherwise=facts.gain_of,
     then="The filter said 3, the smoother says 1.875: what came later was worth a reading of step k with variance 5.",
 )
@@ -151,7 +153,12 @@ def steps_back(rng):
         "`return x + G @ (x_next - F @ x), P + G @ (P_next - P_pred) @ G.T`",
     ],
     inputs=steps_back,
-    wrong=WRONG["step_back"] | SLIPS["step_back"] | THIRD["step_back"] | FOURTH["step_back"] | FIFTH["step_back"],
+    wrong=WRONG["step_back"]
+    | SLIPS["step_back"]
+    | THIRD["step_back"]
+    | FOURTH["step_back"]
+    | FIFTH["step_back"]
+    | ELEVENTH["step_back"],
     then=(
         "No reading stands in these lines: the smoother uses only what the filter has stored, so the readings may "
         "be thrown away after the filter has run."
@@ -177,7 +184,7 @@ def two_filters(rng):
         "`return np.linalg.inv(np.linalg.inv(P) + np.linalg.inv(P_back))`",
     ],
     inputs=two_filters,
-    wrong=WRONG["smoothed_cov"] | SLIPS["smoothed_cov"],
+    wrong=WRONG["smoothed_cov"] | SLIPS["smoothed_cov"] | ELEVENTH["smoothed_cov"],
     then=(
         "With P_back = P it is half of P: “half of the data” is right in the one place where both filters know "
         "equally much."
@@ -204,7 +211,11 @@ def corrected_beliefs(rng):
         "`information = 1/P + 1/P_back - 1/R`, then `return (x/P + x_back/P_back - z/R) / information, 1 / information`",
     ],
     inputs=corrected_beliefs,
-    wrong=WRONG["count_once"] | SLIPS["count_once"] | THIRD["count_once"] | FIFTH["count_once"],
+    wrong=WRONG["count_once"]
+    | SLIPS["count_once"]
+    | THIRD["count_once"]
+    | FIFTH["count_once"]
+    | ELEVENTH["count_once"],
     then=(
         "Where the backward filter knows nothing but z, so that P_back = R and x_back = z, the result is the "
         "forward filter's N(x, P): z has already been used."

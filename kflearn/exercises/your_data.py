@@ -9,6 +9,7 @@ from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
 from kflearn.exercises._slips_data import SLIPS
+from kflearn.exercises._slips_eleventh import WRONG as ELEVENTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_tenth_late import WRONG as TENTH
@@ -98,14 +99,12 @@ LOW, HIGH = chi_square_interval(1, 40)
             (40 * LOW, 40 * HIGH),
             "Those are the limits of chi-square with 40 degrees of freedom. Divide the sum of squares, 0.09 · 40, by each.",
         ),
-        "one number": (
-            0.09,
-            "That is the sample variance. Hand in two limits, `(low, high)`.",
-        ),
+        "one number": (0.09, "That is the sample variance. Hand in two limits, `(low, high)`."),
     }
     | SLIPS["interval_of_R"]
     | THIRD["interval_of_R"]
-    | FOURTH["interval_of_R"],
+    | FOURTH["interval_of_R"]
+    | ELEVENTH["interval_of_R"],
     otherwise=facts.limits_of,
     unit="m²",
     rtol=3e-3,
@@ -161,14 +160,8 @@ def interval_of_R():
             1e-13,
             "That is 0.1 divided by 1000⁴. The unit of q is m²/s³: three times, not four.",
         ),
-        "÷ 10⁷": (
-            1e-8,
-            "The noughts: 1000³ is 10⁹, and 0.1 divided by that is 10⁻¹⁰.",
-        ),
-        "÷ 10¹¹": (
-            1e-12,
-            "The noughts: 1000³ is 10⁹, and 0.1 divided by that is 10⁻¹⁰.",
-        ),
+        "÷ 10⁷": (1e-8, "The noughts: 1000³ is 10⁹, and 0.1 divided by that is 10⁻¹⁰."),
+        "÷ 10¹¹": (1e-12, "The noughts: 1000³ is 10⁹, and 0.1 divided by that is 10⁻¹⁰."),
         "without 0.1": (
             1e-9,
             "That is 1/1000³. It is to be multiplied by the 0.1 that q was before.",
@@ -225,7 +218,7 @@ def gappy(rng):
         "`return np.diff(time[~np.isnan(z)])`",
     ],
     inputs=gappy,
-    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"] | SEVENTH["clock"] | TENTH["clock"],
+    wrong=WRONG["clock"] | THIRD["clock"] | FOURTH["clock"] | SEVENTH["clock"] | TENTH["clock"] | ELEVENTH["clock"],
     then="The sum of the steps is the time from the first reading to the last: a check worth having in every program that reads a clock.",
 )
 def clock(time, z):
@@ -252,7 +245,10 @@ def a_departure(rng):
         "`return np.nanvar(z[time < until], ddof=1)`",
     ],
     inputs=a_departure,
-    wrong=WRONG["variance_at_rest"] | SLIPS["variance_at_rest"] | THIRD["variance_at_rest"],
+    wrong=WRONG["variance_at_rest"]
+    | SLIPS["variance_at_rest"]
+    | THIRD["variance_at_rest"]
+    | ELEVENTH["variance_at_rest"],
     then="How well is it known? With n readings its relative error is about √(2/(n − 1)): for 20 readings a third.",
 )
 def variance_at_rest(time, z, until):
