@@ -31,7 +31,7 @@ SHARES = [0.6, 1.5, 0.9, 2.5, 0.3, 1.03, 0.45, 1.1, 0.97, 3.5, 0.2, 1.25, 0.75, 
 
 def readings(rng, trial):
     """A reading so many times as far away as the gate is wide, on either side; often across north."""
-    x, side = [(1.0, -1), (359.0, 1), (float(rng.choice([5, 90, 200])), int(rng.choice([-1, 1])))][trial % 3]
+    x, side = [(1.0, -1), (359.0, 1), (float(rng.choice([5, 90, 178])), int(rng.choice([-1, 1])))][trial % 3]
     sigmas = float(rng.integers(2, 5))
     P, R = rng.choice([rng.integers(1, 4) / 4, rng.integers(2, 9), rng.integers(10, 40)], 2).tolist()
     if abs(SHARES[trial] - 1) < 0.05:  # close to the limit, with a small S
@@ -91,13 +91,16 @@ def steps_shut(away, P, Q, R):
 def refusals(rng, n):
     """Refused readings that cluster at two places, one of them near north, a new reading and a width.
 
-    None is on its edge; for n = 0 two of three are. For n = 8 one comes from behind.
+    None is on its edge; for n = 0 two of three are. For n = 8 one comes from behind; for n = 5
+    all are in the south.
     """
     if n == 0:
         return np.array([358.0, 2.0, 40.0]), 0.0, 2.0
     places = rng.choice([2.0, 357.0, 40.0], n) + rng.choice([-9, -6.5, -3, 0, 3, 6.5, 9], n)
     places[0] += 180 * (n == 8)
-    return np.mod(places, 360), float(rng.choice([1, 358, 41])), float(rng.choice([5.25, 8.25, 11.25]))
+    south = 180 * (n == 5)
+    reading = (rng.choice([1, 358, 41]) + south) % 360
+    return np.mod(places + south, 360), float(reading), float(rng.choice([5.25, 8.25, 11.25]))
 
 
 @exercise(
@@ -125,7 +128,7 @@ GATES = [0.5, 11.8, 0.9, 2.5, 0.2, 0.62, 1.6, 0.97, 1.03, 0.7, 4.0, 0.35, 1.4, 0
 
 def steps(rng, trial):
     """A belief, a reading inside the gate of 3σ, outside it, or outside only before the correction."""
-    x = float(rng.choice([4, 120, 356]))
+    x = float(rng.choice([4, 178, 356]))
     P, Q, R = float(rng.integers(1, 25)), float(rng.integers(2, 14)), float(rng.integers(2, 40))
     P, R = {10: (1.0, 2.0), 12: (2.0, 40.0), 14: (24.0, 4.0)}.get(
         trial, (P, R)
