@@ -128,7 +128,7 @@ def compass(x):
 MISTAKES = [
     (
         lambda *given: extended(*given, wrap=False),
-        "The bearings are subtracted plainly, or with a period of 360. A bearing of 3.1 rad and one of −3.1 rad are close together: take the short way round, `angle_difference(…, …, 2 * np.pi)`.",
+        "Somewhere the bearings are not subtracted the short way round, on one side or on both. A bearing of 3.1 rad and one of −3.1 rad are close together: `angle_difference(…, …, 2 * np.pi)`.",
     ),
     (
         lambda *given: extended(*given, wrap="both"),

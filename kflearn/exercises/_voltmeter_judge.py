@@ -149,7 +149,7 @@ def _are_right(ratios):
 def of_variances(answers, recordings):
     """What to look at where the variances do not fit the errors."""
     if moves_in_gaps(answers, recordings):
-        return "Your estimate moves in the gaps, where nothing is read: mend that first."
+        return "Your estimate moves in the gaps too, where nothing is read. A mean of the last few readings does that."
     at_readings, in_gaps = _ratios(answers, recordings)
     if _are_right(at_readings) and _are_right(in_gaps):
         return "Your variances are right. It is your estimates that do not fit them."
@@ -211,7 +211,7 @@ def _gaps(answer, recording, part):
 def before_gaps(answers, recordings):
     """What to look at where too few are inside in the gaps."""
     if moves_in_gaps(answers, recordings):
-        return "Your estimate moves from one missing reading to the next: does a NaN count as a number, such as 0 or the last reading? The estimate has to stay."
+        return "Your estimate moves from one missing reading to the next: does a NaN count as a number, such as 0 or the last reading? Or is it a mean of the last ones? The estimate has to stay."
     if grows_in_gaps(answers, recordings):
         return "P grows by Q in the gaps, as it should. Look at the x and the P with which a gap begins."
     if grows_in_gaps([(a[0], np.square(a[1])) for a in map(flat, answers)], recordings):
@@ -231,7 +231,7 @@ def too_wide_in_gaps(answers, recordings):
 def of_errors(answers, recordings):
     """What to look at where the errors are too large."""
     if moves_in_gaps(answers, recordings):
-        return "In the gaps your estimate moves although nothing was read: does a NaN count as a number, such as 0 or the last reading?"
+        return "In the gaps your estimate moves although nothing was read: does a NaN count as a number, such as 0 or the last reading? Or is it a mean of the last ones?"
     if all(
         np.allclose(flat(a)[0][~t.missing], z[~t.missing]) for a, ((z, *_), t) in zip(answers, recordings, strict=True)
     ):
