@@ -48,14 +48,14 @@ def of_gaps(inputs, at):
     if missing[at]:
         return ". There the reading is NaN, and whatever is calculated with NaN is NaN: predict, and leave the correction out."
     if some[at]:
-        said = "It holds NaN beside the numbers, as others before it did, which have been passed"
+        said = "It holds NaN beside the numbers, as others before it did, which have been passed:"
     elif missing[: max(at - 1, 0)].any():
-        said = "The reading there is a number, and missing readings have been passed before"
+        said = "The reading there is a number, and missing readings have been passed before: is a NaN of them kept, or"
     elif at and missing[at - 1]:
         return ". It is the first after a missing reading: is something made of that NaN kept, such as an innovation in a window?"
     else:
-        said = "The reading there is a number"
-    return f". {said}: is it the root of a negative number, or a division by zero?"
+        said = "The reading there is a number:"
+    return f". {said} is it the root of a negative number, or a division by zero?"
 
 
 def singular(answers):

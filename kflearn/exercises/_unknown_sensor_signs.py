@@ -164,7 +164,7 @@ def ends(good, bad):
     if bad < 5.5:
         return (
             f"{levels}: there it is far too small. C is the mean of the squared innovations, before the correction. Does a standard deviation, or a root, "
-            "stand in place of a variance, is it made of what is left after the correction, or does a limit hold R̂?"
+            "stand in place of a variance, is it made of what is left after the correction, or does something hold R̂?"
         )
     return None
 
