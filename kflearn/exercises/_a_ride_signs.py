@@ -136,7 +136,7 @@ def gates(answer, answers, recordings):
     if share(refused, good) > 0.05 and in_a_row(refused, good) > 0.5:
         return (
             f"Your filter refuses {100 * share(refused, good):.0f} % of the good readings, mostly many in a row: once locked "
-            "out, it stays so for long. Compare with the prediction, by the NIS: S grows while nothing is used."
+            "out, it stays so for long. Compare with the prediction, by the NIS. Is the limit too low?"
         )
     if share(refused, good) > 0.05:
         return (
