@@ -5,7 +5,7 @@ from matplotlib.text import Text
 from matplotlib.transforms import IdentityTransform
 
 FAR, ROOM = 3, 4  # points: what counts as outside; between arrow and edge
-HALF, WIDE = 3.5, 46  # points: half of an arrow; an arrow and its number
+HALF, SIGN = 3.5, 6.5  # points: half of an arrow; the width of a sign
 
 
 class Away(Text):
@@ -38,8 +38,9 @@ class Away(Text):
         if not np.isfinite(out).any() or np.nanmax(out) < FAR * point:
             return
         k = np.nanargmax(out)
-        up, half, wide = y[k] > box.y1, HALF * point, WIDE * point
+        up, half = y[k] > box.y1, HALF * point
         arrow, value, place = "▲" if up else "▼", short(values[k]), min(max(x[k], box.x0 + half), box.x1 - half)
+        wide = SIGN * point * (len(value) + 2)
         if place - half + wide <= box.x1:  # the number fits at the right of its arrow
             left, right = place - half, place - half + wide
             self.set(text=f"{arrow} {value}", ha="left", x=left)
