@@ -155,7 +155,7 @@ WRONG["late_row"] = {
     ),
     "always the third": (
         correct_always_third,
-        "The same state is considered in all trials. The argument `considered` says which state it is.",
+        "In your code the same state is considered each time. The argument `considered` says which state it is.",
     ),
     "P left": (
         correct_with(lambda K, full, P, H, R, c: P),

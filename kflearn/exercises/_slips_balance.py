@@ -73,7 +73,7 @@ WRONG = {
         },
         "gain before the growth": (
             lambda Q, R: math.sqrt(Q * R) / (math.sqrt(Q * R) + R),
-            "The gain was formed from the P before it grows by Q. First P grows, then K is formed, then P is cut.",
+            "Your gain is √Q/(√Q + √R). Two mistakes lead to it: standard deviations instead of variances, or a loop in which K is formed before P grows by Q. First P grows, then K is formed, then P is cut.",
         ),
         "K² + K = q": (
             lambda Q, R: (math.sqrt(1 + 4 * Q / R) - 1) / 2,

@@ -62,8 +62,41 @@ def spread_of(sigma):
     )
 
 
+ACCELERATIONS = {
+    0.06: "what is subtracted too much",
+    0.03: "6 % of 0.5 m/s², the scale error once",
+    0.13: "what the filter has learnt",
+    0.07: "what the sensor shows too much while the tram brakes",
+    0.1: "the bias alone",
+    0.16: "the learnt 0.13 m/s² and 0.03 m/s² more",
+    0.2: "twice the bias, or the learnt 0.13 m/s² and the 0.07 m/s² of braking added",
+    0.26: "twice the learnt 0.13 m/s²",
+    0.5: "the true acceleration",
+    0.53: "the true acceleration with its 6 %",
+    0.47: "the true acceleration less its 6 %",
+    0.6: "the true acceleration and the bias together",
+    0.63: "all that the sensor shows while the tram pulls",
+    0.43: "how much the sensor shows while the tram brakes, 0.5 m/s² less 0.07 m/s²",
+    0.4: "the true acceleration less the bias",
+}  # m/s²
+
+
 def acceleration_of(metres):
     """Lesson 20, all_bias."""
+    size = abs(metres)
+    for a, name in ACCELERATIONS.items():
+        made = {
+            a: f"{show(a)} m/s² is an acceleration: {name}.",
+            30
+            * a: f"{show(size)} m/s is a speed, the one that {show(a)} m/s² makes in 30 s. {show(a)} m/s² is {name}.",
+            900 * a: f"{show(size)} is {show(a)} · 30². {show(a)} m/s² is {name}.",
+            450 * a: f"{show(size)} m is what {show(a)} m/s² makes in 30 s. {show(a)} m/s² is {name}.",
+        }
+        if said := [sentence for value, sentence in made.items() if abs(size - value) < 1e-9]:
+            return (
+                f"{said[0]} Which acceleration is left over: what the filter subtracts, less what the sensor shows too much while "
+                "braking? It makes b·t²/2 metres."
+            )
     return (
         f"Over 30 s that is what an acceleration of {show(2 * metres / 900, 3)} m/s² makes, by b·t²/2. Which one is left over: what the "
         "filter subtracts, less what the sensor shows too much while braking?"

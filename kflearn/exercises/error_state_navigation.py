@@ -8,6 +8,7 @@ from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._error_state_navigation import MORE
 from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_more import WRONG as NEW
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_tenth_late import WRONG as TENTH
 from kflearn.exercises._slips_third_data import WRONG as THIRD
@@ -151,6 +152,7 @@ def tunnel_mouths(rng):
         ),
     }
     | MORE["dark_time"]
+    | NEW["dark_time"]
     | THIRD["dark_time"]
     | FOURTH["dark_time"]
     | FIFTH["dark_time"]
@@ -269,6 +271,7 @@ def updated(x, dx, K, fix):
         ),
     }
     | MORE["mended_fix"]
+    | NEW["mended_fix"]
     | THIRD["mended_fix"]
     | FOURTH["mended_fix"]
     | FIFTH["mended_fix"],

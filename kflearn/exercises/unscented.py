@@ -5,6 +5,7 @@ import numpy as np
 from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._slips_fifth_late_points import WRONG as FIFTH
 from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips_more import WRONG as NEW
 from kflearn.exercises._slips_points import MORE
 from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
 from kflearn.exercises._slips_tenth_late import WRONG as TENTH
@@ -66,6 +67,7 @@ def image(degrees):
         ),
     }
     | MORE["three_points"]
+    | NEW["three_points"]
     | FOURTH["three_points"]
     | FIFTH["three_points"]
     | SEVENTH["three_points"]

@@ -12,6 +12,7 @@ from kflearn.exercises._slips_eighth import WRONG as EIGHTH
 from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
 from kflearn.exercises._slips_foundations import WRONG as SLIPS
 from kflearn.exercises._slips_fourth import WRONG as FOURTH
+from kflearn.exercises._slips_more import WRONG as NEW
 from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
 from kflearn.exercises._slips_seventh_early import of_best_error
 from kflearn.exercises._slips_tenth_early import WRONG as TENTH
@@ -58,7 +59,11 @@ def noises(rng):
     ],
     inputs=noises,
     rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
-    wrong=WRONG["steady_gain"] | SLIPS["steady_gain"] | LATER["steady_gain"] | TENTH["steady_gain"],
+    wrong=WRONG["steady_gain"]
+    | NEW["steady_gain"]
+    | SLIPS["steady_gain"]
+    | LATER["steady_gain"]
+    | TENTH["steady_gain"],
     then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
 def steady_gain(Q, R):
@@ -84,7 +89,7 @@ def starts(rng, n):
         "`return np.isnan(x).any()`",
     ],
     inputs=in_turn(starts, 1, 3, 2, 5),
-    wrong=LATER["is_unknown"] | WRONG["is_unknown"] | SLIPS["is_unknown"] | FIFTH["is_unknown"],
+    wrong=LATER["is_unknown"] | NEW["is_unknown"] | WRONG["is_unknown"] | SLIPS["is_unknown"] | FIFTH["is_unknown"],
     then="One NaN spreads at once: in F @ x each entry becomes NaN, even where F has a zero, because 0 · NaN is NaN.",
 )
 def is_unknown(x):
@@ -106,7 +111,7 @@ def first_measurements(rng, n):
         "`A = np.linalg.inv(H)`, then `return A @ z, A @ R @ A.T`",
     ],
     inputs=in_turn(first_measurements, 1, 2, 3, 2),
-    wrong=MORE["auto_start"] | SLIPS["auto_start"] | EIGHTH["auto_start"],
+    wrong=MORE["auto_start"] | SLIPS["auto_start"] | NEW["auto_start"] | EIGHTH["auto_start"],
     then="A correction that starts from any x with a P that grows beyond all bounds tends to the same x and P: this is the start of somebody who knew nothing.",
 )
 def auto_start(z, H, R):
@@ -191,6 +196,7 @@ def auto_start(z, H, R):
         ),
         "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
     }
+    | NEW["best_error"]
     | TENTH["best_error"],
     otherwise=of_best_error,
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
