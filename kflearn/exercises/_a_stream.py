@@ -6,7 +6,6 @@ from kflearn import Gaussian, TimedFilter
 from kflearn.exercises._a_stream_late import LATE, at_its_own_time, sorted_first, step_to, white
 from kflearn.exercises._judge import pair
 
-A, L = [[0, 1], [0, 0]], [[0], [1]]
 END = 40.0  # seconds
 
 

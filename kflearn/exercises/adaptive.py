@@ -4,18 +4,10 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises import _unknown_sensor, _unknown_sensor_seen, _unknown_sensor_signs
-from kflearn.exercises._adaptive import WRONG
 from kflearn.exercises._hints import after
 from kflearn.exercises._judge import track
-from kflearn.exercises._slips_adaptive import SLIPS
-from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_fourth_words import NOISY
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
-from kflearn.exercises._slips_third_data import WRONG as THIRD
+from kflearn.exercises._slips import adaptive as slips
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -30,74 +22,8 @@ from kflearn.exercises.engine import exercise, judged
         "You need 1.3 √(2/N) ≤ 0.1. Solve for N, and round up.",
         "`2 * (1.3 / 0.1) ** 2`",
     ],
-    wrong={
-        "R for S": (
-            200,
-            "200 is 2 (1/0.1)², which holds for S = 1 m². An innovation has S = 1 + 0.3: the prediction is uncertain too.",
-        ),
-        "2 forgotten": (
-            169,
-            "169 is (1.3/0.1)². The square of a bell has the variance 2S², so C scatters by S √(2/N): a 2 is missing.",
-        ),
-        "not squared": (26, "26 is 2 · 13. From 1.3 √(2/N) = 0.1 follows N = 2 · 13²."),
-        "R alone, 2 forgotten": (
-            100,
-            "σ/√N is the error of a mean of plain numbers. Here it is a mean of squares: S √(2/N), with S = 1.3.",
-        ),
-        "0.1 as a variance": (
-            34,
-            "With 34 the *variance* of R̂ is about 0.1. The question names its standard deviation.",
-        ),
-        "one too few": (
-            337,
-            "With 337 it is still a little above 0.1 m². Take the next whole number.",
-        ),
-        "only the prediction": (
-            18,
-            "18 is right for S = 0.3 m², the prediction's share. The variance of an innovation is S = 1 + 0.3.",
-        ),
-        "not divided": (
-            2 * 1.3**2,
-            "That is 2 S², the variance of one squared innovation. How many must be averaged until the root of 2 "
-            "S²/N is 0.1?",
-        ),
-        "root on both": (
-            (2 * 1.3 / 0.1) ** 2,
-            "The 2 stands under the root: S √(2/N), so N = 2 (S/0.1)², not (2 S/0.1)².",
-        ),
-        "S over the wanted, ten times": (
-            130,
-            "130 is 1.3/0.1². From 1.3 √(2/N) = 0.1 follows N = 2 (1.3/0.1)².",
-        ),
-        "difference": (
-            98,
-            "98 is right for S = 1 − 0.3. Sensor and prediction both scatter: S = 1 + 0.3.",
-        ),
-        "S not squared": (
-            260,
-            "The 2 and 0.1² are right, but S stands squared as well: N = 2 · 1.3²/0.1².",
-        ),
-        "root of S": (
-            lambda: 2 * 1.3**0.5 / 0.01,
-            "That is 2 √1.3/0.1². The mean of squares scatters by S √(2/N), so S stands squared: 2 · 1.3²/0.1².",
-        ),
-        "0.01 once more": (
-            33800,
-            "33800 is a hundred times too large, by another 1/0.1²: N = 2 (1.3/0.1)², and (1/0.1)² is 100.",
-        ),
-        "plain ratio": (
-            13,
-            "That is S divided by 0.1. From 1.3 √(2/N) = 0.1 follows N = 2 (1.3/0.1)².",
-        ),
-        "variances of R and prediction": (
-            lambda: 2 * (1 + 0.3**2) / 0.01,
-            "218 is 2 (1² + 0.3²)/0.1². 1 and 0.3 are variances that add to S = 1.3; then S is squared.",
-        ),
-    }
-    | SLIPS["window_needed"]
-    | THIRD["window_needed"]
-    | FOURTH["window_needed"],
-    otherwise=facts.scatter_of,
+    wrong=slips.window_needed.WRONG,
+    otherwise=slips.window_needed.scatter_of,
     unit="innovations",
     rtol=1e-3,
     also=[339],  # what `np.ceil` makes of 338.00000000000006
@@ -130,7 +56,7 @@ def vectors(rng):
         "`return y.T @ y / len(y) - H @ P @ H.T`",
     ],
     inputs=vectors,
-    wrong=WRONG["matrix_R"],
+    wrong=slips.matrix_R.WRONG,
     then=(
         "With few innovations R̂ may have a negative number on its diagonal, and no variance is negative: hence "
         "the floor in the lesson."
@@ -157,7 +83,7 @@ def logarithms(rng):
         "`s = log_weights + log_likelihoods`, then `return s - np.logaddexp.reduce(s)`",
     ],
     inputs=logarithms,
-    wrong=WRONG["weigh"] | FOURTH["weigh"] | FIFTH["weigh"] | TENTH["weigh"],
+    wrong=slips.weigh.WRONG,
     then="A weight of e⁻²⁰⁰⁰ is 0 for a computer; its logarithm, −2000, is an ordinary number and can rise again.",
 )
 def weigh(log_weights, log_likelihoods):
@@ -186,11 +112,7 @@ def bank(rng):
         "`return sum(w * (P + np.outer(m - p @ means, m - p @ means)) for w, m, P in zip(p, means, covs))`",
     ],
     inputs=bank,
-    wrong=WRONG["mixture_cov"]
-    | SLIPS["mixture_cov"]
-    | THIRD["mixture_cov"]
-    | FOURTH["mixture_cov"]
-    | SEVENTH["mixture_cov"],
+    wrong=slips.mixture_cov.WRONG,
     then=(
         "Where all means are equal nothing is left but the mean of the covariances; where they differ the joint "
         "belief is wider."
@@ -208,18 +130,8 @@ def mixture_cov(p, means, covs):
         "The noise of a sensor is nearly white. Neighbours that are correlated by 0.85 are one motion, read again and again.",
         "Until 3.5 s the neighbours are strongly correlated, so it is the motion: B.",
     ],
-    wrong={
-        "noise": (
-            "A",
-            "White noise has neighbours near 0, as they are from 4.6 s on. Here they are strongly correlated.",
-        ),
-        "cannot be told": (
-            "C",
-            "R̂ and the NIS cannot tell it. But a third number is printed, and it differs between the two stretches.",
-        ),
-    }
-    | FOURTH["moved_or_noisy"],
-    otherwise=NOISY,
+    wrong=slips.moved_or_noisy.WRONG,
+    otherwise=slips.moved_or_noisy.NOISY,
     then="Noise that is nearly white does not correlate by 0.85. (Noise with a memory of several readings would; but the board is at rest later, and there the same sensor's noise is white.) A model that can turn, with a Q for turning, would have followed it.",
 )
 def moved_or_noisy():

@@ -5,16 +5,10 @@ from itertools import cycle
 import numpy as np
 from scipy import ndimage
 
-from kflearn.exercises import _ball_in_a_video, _ball_tracker, _thrown_ball, _thrown_ball_seen, _thrown_ball_signs
+from kflearn.exercises import _thrown_ball, _thrown_ball_seen, _thrown_ball_signs
 from kflearn.exercises._judge import track
-from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
-from kflearn.exercises._slips_third_data import WRONG as THIRD
-from kflearn.exercises._slips_tracking import SLIPS
+from kflearn.exercises._slips import ball_in_a_video as slips
 from kflearn.exercises.engine import exercise, judged
-
-WRONG = _ball_in_a_video.WRONG | _ball_tracker.WRONG
 
 
 def a_picture(rng):
@@ -36,7 +30,7 @@ def a_picture(rng):
         "`whole, _ = ndimage.label(differs)`, then count `whole == whole[ball][0]`, where `ball` is the eroded ball.",
     ],
     inputs=a_picture,
-    wrong=WRONG["true_radius"] | FOURTH["true_radius"] | FIFTH["true_radius"],
+    wrong=slips.true_radius.WRONG,
     then=(
         "Erosion decides which region is the ball; counting comes before it. The centre needs no such care: the "
         "rim is lost on all sides alike."
@@ -71,7 +65,7 @@ def a_gap(rng):
         "`return F @ x + push, F @ P @ F.T + Q`",
     ],
     inputs=a_gap,
-    wrong=WRONG["coast"] | SLIPS["coast"] | THIRD["coast"] | FOURTH["coast"],
+    wrong=slips.coast.WRONG,
     then="P grows in every frame without a ball, and S with it: so the gate is wide enough when the ball comes back.",
 )
 def coast(x, P, F, push, Q):
@@ -93,7 +87,7 @@ def a_start(rng):
         "`return s / (p + s + R) * y`",
     ],
     inputs=a_start,
-    wrong=WRONG["first_velocity"] | SLIPS["first_velocity"] | TENTH["first_velocity"],
+    wrong=slips.first_velocity.WRONG,
     then=(
         "With p = s = 100² px² and a small R nearly half of 120 px is taken for velocity; with p = 100² and s = "
         "10² about a hundredth of it."
@@ -138,7 +132,7 @@ def three_rows(rng):
     ],
     inputs=three_rows,
     fixed={"rows": "the text asks about the last three frames"},
-    wrong=WRONG["gravity"] | TENTH["gravity"],
+    wrong=slips.gravity.WRONG,
     then="A comparison with NaN is False, so a hidden ball keeps falling: what was not seen is not known to rest.",
 )
 def gravity(rows):

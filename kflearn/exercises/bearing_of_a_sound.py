@@ -2,16 +2,8 @@
 
 import numpy as np
 
-from kflearn.exercises._bearing_of_a_sound import WRONG
 from kflearn.exercises._hints import tried
-from kflearn.exercises._is_a_covariance import WRONG as NO_COVARIANCE
-from kflearn.exercises._slips_bearing import WRONG as MORE
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third import WRONG as THIRD
+from kflearn.exercises._slips import bearing_of_a_sound as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -25,11 +17,6 @@ def mended_prediction(P, dt, q):
 def mended_update(P, K):
     """What it does to P in a correction, mended; H = [1, 0]."""
     return P - np.outer(K, P[0])
-
-
-def repairs(prediction, update):
-    """The four programs of the bug hunt: as published, one half mended, the other half, both."""
-    return [(first, second) for first in (prediction, mended_prediction) for second in (update, mended_update)]
 
 
 def differences(rng):
@@ -52,7 +39,7 @@ def differences(rng):
     inputs=differences,
     rtol=1e-9,
     atol=1e-9,
-    wrong=WRONG["wrap"] | MORE["wrap"],
+    wrong=slips.wrap.WRONG,
     then="Half a turn is the one difference with two right answers: 180 and −180 are equally far.",
 )
 def wrap(difference):
@@ -82,7 +69,7 @@ def stuck_rates(rng):
         "offset = (1 − K)(offset + dt·x₁). Bring the offset to one side: offset·K = (1 − K)·dt·x₁.",
     ],
     inputs=stuck_rates,
-    wrong=WRONG["offset"] | MORE["offset"] | THIRD["offset"] | FOURTH["offset"] | FIFTH["offset"],
+    wrong=slips.offset.WRONG,
     then="For the golden gain 0.618 the factor (1 − K)/K is 0.618 as well. What does the offset become when K nears 1?",
 )
 def offset(x1, K, dt):
@@ -105,11 +92,7 @@ def beliefs(rng):
         "In one line: `return F @ P @ F.T + Q`.",
     ],
     inputs=beliefs,
-    wrong=WRONG["right_prediction"]
-    | SLIPS["right_prediction"]
-    | MORE["right_prediction"]
-    | FOURTH["right_prediction"]
-    | TENTH["right_prediction"],
+    wrong=slips.right_prediction.WRONG,
     then="From a symmetric P comes a symmetric one. The published prediction fails this test, which takes one line.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
@@ -137,7 +120,7 @@ def gains(rng):
         "In one line: `return (np.eye(2) - np.outer(K, [1, 0])) @ P`.",
     ],
     inputs=gains,
-    wrong=WRONG["right_update"] | MORE["right_update"] | THIRD["right_update"] | SEVENTH["right_update"],
+    wrong=slips.right_update.WRONG,
     then="With any gain but the best one this is not the covariance of the error: that takes Joseph's form, in lesson 12.",
     fixed={
         "P": "the state is an angle and its rate, so it is always two by two",
@@ -218,7 +201,7 @@ TURNS = [
         "`np.allclose(P, P.T)` answers the first question, `np.linalg.eigvalsh(P).min() >= -1e-9` the second. Both must be True.",
     ],
     inputs=in_turn(candidates, *TURNS),
-    wrong=THIRD["is_a_covariance"] | NO_COVARIANCE["is_a_covariance"],
+    wrong=slips.is_a_covariance.WRONG,
     then="From P = [[1, 0.2], [0.2, 0.5]] the published prediction makes a matrix that fails this test in one line, and so does the "
     "published update. A test like this one runs in a filter at every step.",
 )

@@ -5,16 +5,8 @@ from itertools import cycle
 
 import numpy as np
 
-from kflearn.exercises import _slips_fifth_late_facts as facts
-from kflearn.exercises._consider_by_hand import FIRST_COVARIANCE
-from kflearn.exercises._consider_filter import WRONG
 from kflearn.exercises._hints import after
-from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
-from kflearn.exercises._slips_third_data import WRONG as THIRD
-from kflearn.exercises._slips_tracking import SLIPS
+from kflearn.exercises._slips import consider_filter as slips
 from kflearn.exercises.engine import exercise
 
 
@@ -24,59 +16,8 @@ from kflearn.exercises.engine import exercise
         "The noise and the bias are independent, so their variances add.",
         "0.3² + 0.5² m².",
     ],
-    wrong={
-        "standard deviations added": (
-            0.8,
-            "0.8 is the sum of the standard deviations; R is a variance, so square each first.",
-        ),
-        "sum squared": (
-            0.64,
-            "(0.3 + 0.5)² would be right if noise and bias always pushed the same way; they are independent.",
-        ),
-        "variance plus σ": (
-            0.59,
-            "0.59 is 0.09 + 0.5, with the bias by its standard deviation: metres to square metres. With σ = 1 m nobody notices.",
-        ),
-        "root": (math.sqrt(0.34), "That is the standard deviation of a reading. R is its square."),
-        "bias alone": (0.25, "That is the bias alone; the white noise has not gone away."),
-        "noise alone": (0.09, "That is R without any inflation: the bias is ignored."),
-        "variance plus σ of the noise": (
-            0.55,
-            "0.55 is 0.3 + 0.25, with the noise by its standard deviation: metres to square metres. R is 0.3² + 0.5².",
-        ),
-        "the planned one": (
-            27,
-            "R = 27 is the number that the lesson found by trial. The filter inflated by the variance adds the two variances.",
-        ),
-        "fused": (
-            0.09 * 0.25 / 0.34,
-            "That is what fusing the two gives, as if each were a reading. Both errors are in the same reading: their variances add.",
-        ),
-        "difference": (
-            0.16,
-            "0.16 is 0.25 − 0.09. Variances of independent errors add, whatever the sign of the errors.",
-        ),
-        "mean of the two": (
-            lambda: (0.3**2 + 0.5**2) / 2,
-            "0.17 is the mean of the two variances. Both errors are in every reading: their variances add.",
-        ),
-        "mean of the σ": (
-            0.4,
-            "0.4 m is the mean of the two standard deviations. Square each first, then add.",
-        ),
-        "product": (
-            0.15,
-            "0.15 is the product of the two standard deviations. The two errors are independent: their variances add.",
-        ),
-        "the lesson's": (
-            1.25,
-            "That is the lesson's R, with a noise of 0.5 m and a bias of 1 m. Here the numbers are others.",
-        ),
-    }
-    | SLIPS["inflated"]
-    | THIRD["inflated"]
-    | TENTH["inflated"],
-    otherwise=lambda R: SLIPS["inflated"]["by the memory"][1] if 9 < R < 11 else facts.deviation_of(R),
+    wrong=slips.inflated.WRONG,
+    otherwise=lambda R: slips.inflated.BY_MEMORY if 9 < R < 11 else slips.inflated.deviation_of(R),
     unit="m²",
     then=(
         "For one reading R = 0.34 m² is right. For the mean of a hundred that share the bias it is not: its "
@@ -98,7 +39,7 @@ def inflated():
         "K = [K₁, 0] with K₁ = 4 / (4 + 1 + 0.25). This is not the best gain any more: take Joseph's form, (9J).",
         "`gain = np.array([[4 / 5.25], [0]])`, `kept = np.eye(2) - gain @ [[1, 1]]`, then `kept @ np.diag([4, 1]) @ kept.T + gain * 0.25 @ gain.T`.",
     ],
-    wrong=FIRST_COVARIANCE | SLIPS["first_covariance"] | THIRD["first_covariance"] | TENTH["first_covariance"],
+    wrong=slips.first_covariance.WRONG,
     unit="m²",
     then="P₁₂ = −0.762 is the same in the augmented filter; the two differ in P₂₂, 1 here and 0.81 there. Considering means: the covariance with the bias is kept, and the bias is not learnt.",
 )
@@ -121,7 +62,7 @@ def averages(rng):
         "`return np.sqrt(R / N + B)`",
     ],
     inputs=averages,
-    wrong=WRONG["honest_average"] | THIRD["honest_average"] | FOURTH["honest_average"] | FIFTH["honest_average"],
+    wrong=slips.honest_average.WRONG,
     then="With R = 0.25 and B = 1 ten readings give 1.012 m and a hundred 1.001 m: soon the bias is all that is left.",
 )
 def honest_average(N, R, B):
@@ -146,7 +87,7 @@ def beliefs(rng):
     ],
     inputs=beliefs,
     fixed=dict.fromkeys(("z", "R"), "one sensor, as in the lesson: its gain divides by the number S"),
-    wrong=WRONG["late_row"] | SLIPS["late_row"],
+    wrong=slips.late_row.WRONG,
     then=(
         "The variance of the considered state is what it was, to the last digit; what the reading changed is its "
         "covariance with the others."
@@ -180,11 +121,7 @@ def blocks(rng):
         "`return F @ P @ F.T + Q, fading * F @ C, fading**2 * B + q`",
     ],
     inputs=blocks,
-    wrong=WRONG["economical"]
-    | SLIPS["economical"]
-    | FOURTH["economical"]
-    | FIFTH["economical"]
-    | SEVENTH["economical"],
+    wrong=slips.economical.WRONG,
     then=(
         "C is what a consider filter remembers. With fading = 0 the bias is new at every step, C is zero, and the "
         "inflated filter would be right."

@@ -2,13 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises import _two_humps
-from kflearn.exercises._extended import WRONG
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_fourth_words import WINNER
-from kflearn.exercises._slips_third_filters import WRONG as THIRD
-from kflearn.exercises._slips_third_filters import of_humps
+from kflearn.exercises._slips import extended as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -26,7 +20,7 @@ def believed_starts(rng, runs):
         "`return mean + normal * np.sqrt(np.diag(P0))` (one row a run; P0 is diagonal).",
     ],
     inputs=in_turn(believed_starts, 2, 3, 12, 1),
-    wrong=WRONG["true_starts"] | THIRD["true_starts"] | FOURTH["true_starts"],
+    wrong=slips.true_starts.WRONG,
     also=[lambda mean, P0, normal: mean - normal * np.sqrt(np.diag(P0))],  # a Gaussian is symmetric
     fixed={"mean": "a place and a velocity in the plane: four numbers", "P0": "it belongs to a state of four numbers"},
     then="With starts like these the mean NEES before the first reading is 4, the number of states; with the published ones it is 0.",
@@ -48,10 +42,7 @@ def growth_beliefs(rng):
         "Swap two lines: first `F = move_slope(x)`, then `x = move(x, u)`, then P = F * P * F + 10.",
     ],
     inputs=growth_beliefs,
-    wrong=WRONG["mended_prediction"]
-    | THIRD["mended_prediction"]
-    | FOURTH["mended_prediction"]
-    | FIFTH["mended_prediction"],
+    wrong=slips.mended_prediction.WRONG,
     then="At x = 2 the slope is −2.5, at 0 it is 25.5, ten times as large. So it matters at which place the slope is taken.",
 )
 def mended_prediction(x, P, u):
@@ -67,17 +58,8 @@ def mended_prediction(x, P, u):
         "The sag grows with the square of σ: 30²/(2·316) m = 1.4 m has become 100²/(2·316) m = 16 m.",
         "The sag is seven times the reading's σ. Which of the two filters draws its next tangents at an estimate that was corrected so badly?",
     ],
-    wrong={
-        "EKF": (
-            "EKF",
-            "So say the slides. But its first corrections rest on tangents that are wrong by 16 m, and it draws the next ones at the places where these corrections have put it.",
-        ),
-        "neither": (
-            "no difference",
-            "There was a difference at 30 m already, 3.6 m in the rms error, and the sag is eleven times as large now.",
-        ),
-    },
-    otherwise=WINNER,
+    wrong=slips.winner.WRONG,
+    otherwise=slips.winner.WINNER,
     then="Over a thousand runs the rms error of the LKF is 51 m, that of the EKF 106 m. Nevertheless neither is good: with tangents at the truth it would be 37 m.",
 )
 def winner():
@@ -91,8 +73,8 @@ def winner():
         "For the variance take the mean square distance from that mean: 0.7·(11 − mean)² + 0.3·(−11 − mean)², and add the variance within a hump.",
         "The mean is 0.7·11 − 0.3·11 = 4.4. The variance is 0.7·6.6² + 0.3·15.4² + 1² = 102.64; take its root.",
     ],
-    wrong=_two_humps.WRONG | FIFTH["both_humps"],
-    otherwise=of_humps,
+    wrong=slips.both_humps.WRONG,
+    otherwise=slips.both_humps.of_humps,
     then="The rms error of the answer 4.4 is 10.1. The answer +11, where the state probably is, has 12.1: when it is wrong, it is wrong by 22. "
     "So the mean is the best single number by the squared error, although the state is never there.",
 )

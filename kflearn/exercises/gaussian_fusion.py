@@ -4,18 +4,8 @@ import math
 
 import numpy as np
 
-from kflearn.exercises._claimed_and_real import WRONG as LAST
-from kflearn.exercises._gaussian_fusion import WRONG
 from kflearn.exercises._hints import is_about
-from kflearn.exercises._slips_belief import WRONG as MORE
-from kflearn.exercises._slips_eighth import WRONG as EIGHTH
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_fifth_early import on_a_grid
-from kflearn.exercises._slips_foundations import WRONG as SLIPS
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third import WRONG as THIRD
+from kflearn.exercises._slips import gaussian_fusion as slips
 from kflearn.exercises.engine import exercise
 
 
@@ -36,7 +26,7 @@ def two_opinions(rng):
         "The prediction is now N(61.6667, 0.8333), the measurement N(66, 2²). Start with K.",
         "K = 0.8333 / (0.8333 + 4) = 0.1724. Move that fraction of the way from 61.6667 to 66.",
     ],
-    wrong=WRONG["third_opinion"] | MORE["third_opinion"] | TENTH["third_opinion"],
+    wrong=slips.third_opinion.WRONG,
     unit="m",
     rtol=5e-4,
     otherwise=lambda mean: (
@@ -57,7 +47,7 @@ def third_opinion():
         "`return mean_x + K * (mean_z - mean_x), var_x * (1 - K)`",
     ],
     inputs=two_opinions,
-    wrong=WRONG["fuse"] | SLIPS["fuse"] | MORE["fuse"] | FOURTH["fuse"] | EIGHTH["fuse"],
+    wrong=slips.fuse.WRONG,
     then="Exchange the two opinions and the result is the same: the formula does not ask which of them came first.",
 )
 def fuse(mean_x, var_x, mean_z, var_z):
@@ -72,7 +62,7 @@ def fuse(mean_x, var_x, mean_z, var_z):
         "You need 1/5 + n ≥ 1/0.3².",
         "1/0.09 − 0.2 = 10.91, and readings come in whole numbers.",
     ],
-    wrong=WRONG["readings_needed"] | THIRD["readings_needed"] | FIFTH["readings_needed"] | TENTH["readings_needed"],
+    wrong=slips.readings_needed.WRONG,
     unit="readings",
     otherwise=lambda n: (
         f"With n = {n:.4g} the precision is 1/5 + n, and σ is {1 / math.sqrt(n + 0.2):.3g} m. Solve 1/5 + n = 1/0.3² for n."
@@ -96,7 +86,7 @@ def two_variances(rng):
         "Published: var_x / var_z. Anna: fused / var_z. Ben: var_x / fused; with fused = var_x * var_z / (var_x + var_z).",
     ],
     inputs=two_variances,
-    wrong=LAST["published_claim"] | MORE["published_claim"] | EIGHTH["published_claim"] | TENTH["published_claim"],
+    wrong=slips.published_claim.WRONG,
     then="For 5 and 1 m² these are 5, 5/6 and 6. Who mends one of the two faults may make things worse: Ben's ratio is even larger than that of the published version.",
 )
 def published_claim(var_x, var_z):
@@ -119,8 +109,8 @@ def three_covariances(rng):
         "−2 (1 − K) P + 2 K R + 2 (1 − 2 K) c = 0. Collect what belongs to K: K (P + R − 2 c) = P − c.",
     ],
     inputs=three_covariances,
-    wrong=LAST["common_cause"] | MORE["common_cause"] | FIFTH["common_cause"] | SEVENTH["common_cause"],
-    otherwise=on_a_grid,
+    wrong=slips.common_cause.WRONG,
+    otherwise=slips.common_cause.on_a_grid,
     then="With c = 0 this is (12). If c is larger than P, K is negative; if it is larger than R, K is above 1: then the best estimate is not even between the two numbers.",
 )
 def common_cause(P, R, c):

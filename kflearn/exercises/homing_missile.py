@@ -1,17 +1,8 @@
 """Lesson 16: the homing missile."""
 
-import math
-
 import numpy as np
 
-from kflearn.exercises import _false_range
-from kflearn.exercises import _slips_fifth_late_facts as facts
-from kflearn.exercises._homing_missile import WRONG
-from kflearn.exercises._slips_fifth_late import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
-from kflearn.exercises._slips_third_filters import WRONG as THIRD
+from kflearn.exercises._slips import homing_missile as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -30,7 +21,7 @@ def errors_on_the_way(rng):
         "`b = -(e + v * t0) / (2 * t0**3)`, then `a = e / t0 - b * t0**2`, then `return a * t + b * t**3`.",
     ],
     inputs=errors_on_the_way,
-    wrong=WRONG["left_over"] | FOURTH["left_over"] | FIFTH["left_over"] | SEVENTH["left_over"] | TENTH["left_over"],
+    wrong=slips.left_over.WRONG,
     then="An error at rest (v = 0) of 100 m with 3 s to go is 48 m with 1 s to go, with no reading at all: that is the artefact.",
 )
 def left_over(e, v, t0, t):
@@ -52,7 +43,7 @@ def manoeuvres(rng):
         "`part = np.exp(-dt / lasts)`, and `return part, sd**2 * (1 - part**2)`.",
     ],
     inputs=manoeuvres,
-    wrong=WRONG["memory"] | SEVENTH["memory"] | TENTH["memory"],
+    wrong=slips.memory.WRONG,
     then="For short steps the noise is 2·sd²·dt/lasts: half the step, half the variance, so that the result does not depend on dt.",
 )
 def memory(lasts, sd, dt):
@@ -67,97 +58,8 @@ def memory(lasts, sd, dt):
         "Set it equal to the number of axes, and solve for σ: it is a standard deviation in metres, not a variance.",
         "`np.sqrt((500**2 + 300**2 + 40**2) / 3)`.",
     ],
-    wrong={
-        "NEES of one": (
-            lambda: math.hypot(500, 300, 40),
-            "With σ equal to the whole distance the NEES is 1. Three axes share the error, so 3 is expected.",
-        ),
-        "variance": (
-            lambda: (500**2 + 300**2 + 40**2) / 3,
-            "That is the variance, in m²; asked is its root.",
-        ),
-        "a third of the distance": (
-            lambda: math.hypot(500, 300, 40) / 3,
-            "That is the distance divided by 3. It is the *square* of the distance that three axes share: divide by √3.",
-        ),
-        "as published": (
-            lambda: 100,
-            "That is the published 100 m again, with a NEES of 34.",
-        ),
-        "100 times 34/3": (
-            lambda: 100 * 34.16 / 3,
-            "That is 100 m times 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
-        ),
-        "400, as in the lesson": (
-            lambda: 400,
-            "400 m is the lesson's round number, a little on the safe side: its NEES is 2.1.",
-        ),
-        "mean of the errors": (
-            lambda: (500 + 300 + 40) / 3,
-            "That is the mean of the three errors. The NEES adds their squares.",
-        ),
-        "three times the distance": (
-            lambda: math.hypot(500, 300, 40) * math.sqrt(3),
-            "That is the distance times √3, and with this σ the NEES is a third. Divide the distance by √3.",
-        ),
-        "root of the mean error": (
-            lambda: 100 * math.sqrt(3 / 34),
-            "That σ is smaller than the claimed one. The errors are larger than claimed, so σ must grow, by the root of 34/3.",
-        ),
-        "a third": (
-            lambda: 34 / 3,
-            "That is how many times too large the NEES is. σ grows by its root, beginning at 100 m.",
-        ),
-        "two axes": (
-            lambda: math.sqrt((500**2 + 300**2) / 2),
-            "That is √((500² + 300²)/2), from two axes. There are three.",
-        ),
-        "σ of the largest error": (
-            500,
-            "500 m is the largest error. All three axes count: the mean of their squares, and its root.",
-        ),
-        "half of the sum of squares": (
-            lambda: math.hypot(500, 300, 40) / 2,
-            "That is half of the distance. Three axes share the squared distance.",
-        ),
-        "root of the sum": (
-            lambda: math.sqrt(840 / 3),
-            "That is the root of the mean of 500, 300 and 40. The NEES adds their *squares*: 500², 300² and 40².",
-        ),
-        "root of the sum, not divided": (
-            lambda: math.sqrt(840),
-            "That is the root of 500 + 300 + 40. The NEES adds their *squares*; then three axes share the sum.",
-        ),
-        "by √3": (
-            lambda: 100 * math.sqrt(3),
-            "That is 100 m times √3. The NEES is 34 and should be 3, so it must shrink by 34/3, and it goes with 1/σ².",
-        ),
-        "three times": (
-            300,
-            "300 m is three times the claim, and also the second error. With this σ the NEES is 3.8: it goes with 1/σ².",
-        ),
-        "100 times 34": (
-            lambda: 3400,
-            "That is 100 m times the NEES. It should be 3, not 1, and it goes with 1/σ²: scale σ by the root of 34/3.",
-        ),
-        "the sum of the errors": (840, "840 is the sum of the three errors. The NEES adds their squares."),
-        "the sum of the squares": (
-            lambda: 500**2 + 300**2 + 40**2,
-            "That is the squared length of the error. Divided by σ² it must give 3: solve for σ.",
-        ),
-        "largest axis, shared": (
-            lambda: 500 / math.sqrt(3),
-            "That is 500 m divided by √3, the largest error alone. Put the squares of all three together first.",
-        ),
-        "100 times 34/3, rounded": (
-            lambda: 100 * 34 / 3,
-            "That is 100 m times 34/3. The NEES goes with 1/σ²: scale σ by the root of it.",
-        ),
-    }
-    | THIRD["start_sigma"]
-    | FOURTH["start_sigma"]
-    | FIFTH["start_sigma"],
-    otherwise=facts.nees_of,
+    wrong=slips.start_sigma.WRONG,
+    otherwise=slips.start_sigma.nees_of,
     unit="m",
     rtol=3e-3,
     then="Its square is the mean of the three squared errors. And one start proves little: NEES of a single start may be anything from 0.2 to 9.",
@@ -179,7 +81,7 @@ def needles(rng):
         "`H = np.sin(np.radians(turn))`, and `return 1 / np.sqrt(1 / sigma**2 + H**2 / across**2)`.",
     ],
     inputs=needles,
-    wrong=_false_range.WRONG["false_range"] | THIRD["false_range"] | SEVENTH["false_range"],
+    wrong=slips.false_range.WRONG,
     then="With 400 m, 2.27° and 4.01 m it is 98 m: three quarters of σ are gone, after one reading that never measured the range.",
     rtol=5e-4,  # numbers of the learner's own, such as 0.0175 for π/180
 )
@@ -201,7 +103,7 @@ def some_errors(rng, runs, steps):
         "`return [np.sqrt(np.mean(np.sum(error[..., k : k + 3] ** 2, axis=-1), axis=0)) for k in (0, 3, 6)]`.",
     ],
     inputs=in_turn(some_errors, (2, 3), (4, 5), (3, 2), (1, 4)),
-    wrong=WRONG["figures"] | FIFTH["figures"],
+    wrong=slips.figures.WRONG,
     then="Of the three axes together; for one axis, if they are alike, divide by √3. The root comes last: means of distances are smaller.",
 )
 def figures(error):

@@ -4,16 +4,9 @@ import numpy as np
 
 from kflearn import chi_square_interval
 from kflearn.exercises._hints import of_choice
-from kflearn.exercises._is_the_filter_honest import WRONG
 from kflearn.exercises._judge import inside, rms, track
 from kflearn.exercises._judge import nees as nees_of_all
-from kflearn.exercises._slips_fourth import MYSTERIES
-from kflearn.exercises._slips_honest import WRONG as MORE
-from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third import MYSTERY, of_interval
-from kflearn.exercises._slips_third import WRONG as THIRD
+from kflearn.exercises._slips import is_the_filter_honest as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises._unknown_receiver import FAILING, PASSING, honest_share, look, recording
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -25,8 +18,8 @@ from kflearn.exercises.engine import Mark, exercise, judged
         "With 50 · 2 = 100. Cut off 2.5 % at either end of that distribution, and remember that the average was asked for.",
         "chi2.ppf([0.025, 0.975], 100) / 50, or chi_square_interval(dof=2, runs=50).",
     ],
-    wrong=WRONG["interval"] | MORE["interval"] | THIRD["interval"],
-    otherwise=of_interval,
+    wrong=slips.interval.WRONG,
+    otherwise=slips.interval.of_interval,
     rtol=5e-3,
     then="Runs pay off slowly: with 1,000 of them the limits are 1.88 and 2.13, so smaller faults are found.",
 )
@@ -48,7 +41,7 @@ def errors_and_claims(rng, n):
         "return e @ np.linalg.solve(P, e)",
     ],
     inputs=in_turn(errors_and_claims, 2, 3, 4, 2, 1),
-    wrong=WRONG["nees"] | SLIPS["nees"] | MORE["nees"] | TENTH["nees"],
+    wrong=slips.nees.WRONG,
     then="It has no unit: give e in centimetres and P in cm², and the number stays the same.",
 )
 def nees(e, P):
@@ -70,22 +63,8 @@ def nees(e, P):
         "Negative, so the gain is too large. Two of the four make it so. Which of them claims too much uncertainty, NIS < m?",
         "A gain is too large when Q is too large or R too small. The first widens every claim, the second narrows it.",
     ],
-    wrong={
-        "Q too small": (
-            "Q too small",
-            "With Q too small the gain is too small: neighbours would be alike, with a plus sign, and NIS above 2.",
-        ),
-        "R too large": (
-            "R too large",
-            "R too large agrees with NIS below 2. But it makes the gain too small, and neighbours alike: look at the sign.",
-        ),
-        "R too small": (
-            "R too small",
-            "R too small agrees with the minus sign. But then the filter would be far too sure, with NIS well above 2.",
-        ),
-    }
-    | THIRD["mystery"],
-    otherwise=lambda answer: MYSTERY(answer) or MYSTERIES(answer),
+    wrong=slips.mystery.WRONG,
+    otherwise=slips.mystery.MYSTERY,
     then="NIS below 2 says that the filter claims too large an error; the minus sign, that its gain is too large. "
     "Of the four, only a Q that is too large does both.",
 )
@@ -107,7 +86,7 @@ def errors_and_variances(rng, count):
         "return np.mean(abs(e) <= np.sqrt(P))",
     ],
     inputs=in_turn(errors_and_variances, 5, 12, 60, 7),
-    wrong=WRONG["share_inside"] | SLIPS["share_inside"] | MORE["share_inside"],
+    wrong=slips.share_inside.WRONG,
     then="Of one number 68.3 % should be inside. Of a state with two components only 39 % belong inside its 1σ ellipse: why fewer?",
 )
 def share_inside(e, P):
@@ -127,7 +106,7 @@ def start_beliefs(rng, n):
         "`return mean + np.sqrt(variances) * normal`",
     ],
     inputs=in_turn(start_beliefs, 2, 4, 3, 1),
-    wrong=WRONG["draw_start"] | SLIPS["draw_start"] | MORE["draw_start"] | THIRD["draw_start"] | SEVENTH["draw_start"],
+    wrong=slips.draw_start.WRONG,
     also=[lambda mean, variances, normal: mean - np.sqrt(variances) * normal],
     then="With starts like this the NEES before the first reading is n on average; with the published start it is 0.",
 )

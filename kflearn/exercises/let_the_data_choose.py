@@ -4,25 +4,11 @@ import numpy as np
 
 from kflearn import fit, random_walk
 from kflearn.exercises import _fitted_R
-from kflearn.exercises import _slips_fifth_late_facts as facts
-from kflearn.exercises._let_the_data_choose import WRONG
-from kflearn.exercises._slips_eleventh import WRONG as ELEVENTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
-from kflearn.exercises._slips_third_data import WRONG as THIRD
+from kflearn.exercises._slips import let_the_data_choose as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
 ONE = -0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)
-
-
-def near_the_density(answer):
-    """What is said of a rounded density."""
-    if 0.07 < answer < 0.075:
-        return (
-            "That is about the probability density itself, 0.0725. Its logarithm was asked for, which is negative here."
-        )
-    return facts.density_of(answer)
 
 
 @exercise(
@@ -31,8 +17,8 @@ def near_the_density(answer):
         "S = 5, so 2πS = 31.42 and its logarithm is 3.447. The NIS is y²/S = 1.8.",
         "`-0.5 * (np.log(2 * np.pi * 5) + 3**2 / 5)`",
     ],
-    wrong=WRONG["one_reading"] | FOURTH["one_reading"] | ELEVENTH["one_reading"],
-    otherwise=near_the_density,
+    wrong=slips.one_reading.WRONG,
+    otherwise=slips.one_reading.near_the_density,
     then="A reading exactly as expected, y = 0, would have −1.72. The largest value there can be falls as S grows: a wide claim costs.",
 )
 def one_reading():
@@ -55,7 +41,7 @@ def runs(rng, T):
         "`seen = ~np.isnan(y)`, then `-0.5 * np.sum(np.log(2 * np.pi * S[seen]) + y[seen]**2 / S[seen])`",
     ],
     inputs=in_turn(runs, 6, 3, 800),
-    wrong=WRONG["log_likelihood"] | TENTH["log_likelihood"] | ELEVENTH["log_likelihood"],
+    wrong=slips.log_likelihood.WRONG,
     also=[lambda y, S: np.nansum(-0.5 * (np.log(2 * np.pi * S) + y**2 / S))],
     then="With this function and a filter in a loop you can fit any model with SciPy. That is all that `fit` does, only faster.",
     rtol=1e-4,  # with 6.2832 for 2π
@@ -72,8 +58,8 @@ def log_likelihood(y, S):
         "The derivative with respect to R is −½·4/R² + 1/R. Where is it zero?",
         "½·4/R² = 1/R gives R = 2.",
     ],
-    wrong=WRONG["half_missing"] | THIRD["half_missing"] | FOURTH["half_missing"] | TENTH["half_missing"],
-    otherwise=facts.slope_at,
+    wrong=slips.half_missing.WRONG,
+    otherwise=slips.half_missing.slope_at,
     unit="",
     then="A σ of 1.41 in place of 2, with no error message and a search that says it converged. Only the mean NIS shows it: it is 2.",
 )
@@ -88,7 +74,7 @@ def half_missing():
         "AIC adds 2 for each parameter. If log L is doubled, does a parameter still cost the same beside it?",
         'The curvature is doubled, so the standard errors are too small by √2; and in the AIC the parameters count half. `"BC"`',
     ],
-    wrong=WRONG["doubled"],
+    wrong=slips.doubled.WRONG,
     then="The curvature is doubled, so the standard errors are too small by √2. In the AIC the gain of a larger model counts "
     "twice, and its parameters do not. Where only the place of the top or the order matters, a factor and a constant do no harm.",
 )
@@ -114,7 +100,7 @@ def walks(rng, T):
     inputs=in_turn(walks, 30, 40, 24),
     trials=6,
     rtol=0.06,
-    wrong=_fitted_R.WRONG | TENTH["fitted_R"] | ELEVENTH["fitted_R"],
+    wrong=slips.fitted_R.WRONG,
     otherwise=_fitted_R.of_all,
     then="Known parameters stay in `build`, unknown ones are its arguments: so any mixture of both is fitted.",
 )

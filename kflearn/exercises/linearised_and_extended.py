@@ -3,15 +3,10 @@
 import numpy as np
 
 from kflearn import angle_difference
-from kflearn.exercises import _cart_on_a_rail, _sag
 from kflearn.exercises._judge import track
-from kflearn.exercises._linearised_and_extended import WRONG
 from kflearn.exercises._radar import FAILING, MARKS, PASSING, recording
 from kflearn.exercises._radar_signs import SIGNS
-from kflearn.exercises._slips_eighth import WRONG as EIGHTH
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_third_filters import WRONG as THIRD
+from kflearn.exercises._slips import linearised_and_extended as slips
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -21,7 +16,7 @@ from kflearn.exercises.engine import exercise, judged
         "Write the equation with numbers: σ²/(2 · 400 m) = 2 m.",
         "σ² = 2 · 400 m · 2 m = 1600 m². The answer is the root of that.",
     ],
-    wrong=_sag.WRONG | THIRD["widest_belief"] | FOURTH["widest_belief"],
+    wrong=slips.widest_belief.WRONG,
     also=[np.sqrt(402**2 - 400**2)],  # without the parabola
     unit="m",
     then="At a quarter of that, 10 m, the sag is only a sixteenth of the reading's σ: it falls with the square.",
@@ -43,11 +38,7 @@ def radar_states(rng):
         "The entry in row 1, column 2 is the one: `J = claimed(x)`, then `J[1, 2] = -J[1, 2]`, then `return J`.",
     ],
     inputs=radar_states,
-    wrong=WRONG["mended_slope"]
-    | THIRD["mended_slope"]
-    | FOURTH["mended_slope"]
-    | FIFTH["mended_slope"]
-    | EIGHTH["mended_slope"],
+    wrong=slips.mended_slope.WRONG,
     rtol=1e-11,
     fixed={"x": "the state is place and velocity in the plane: always four numbers"},
     then="One wrong sign among eight entries makes no error message. The comparison takes three lines, so do it for every filter you write.",
@@ -73,7 +64,7 @@ def radar_readings(rng):
         "`return J @ np.diag([sd_r**2, sd_angle**2]) @ J.T`.",
     ],
     inputs=radar_readings,
-    wrong=_sag.POLAR | THIRD["into_the_plane"] | FOURTH["into_the_plane"],
+    wrong=slips.into_the_plane.WRONG,
     rtol=1e-6,
     then="Many trackers do this with each reading and then use a linear filter. The angle's curve sags too: the average of many "
     "readings of one target, put into the plane, is too near by about r·σθ²/2. That is 0.2 m at 1 km with 0.02 rad, and 20 m with 0.2 rad.",
@@ -100,7 +91,7 @@ def on_the_rail(rng):
         "With `height = np.hypot(nominal, 20)`: `H = nominal / height` and `expected = height + H * (x - nominal)`; the rest as before.",
     ],
     inputs=on_the_rail,
-    wrong=_cart_on_a_rail.WRONG["linearised_correction"] | FIFTH["linearised_correction"],
+    wrong=slips.linearised_correction.WRONG,
     then="H and P do not depend on the readings: all gains can be computed before the first reading comes. For the extended filter that is impossible.",
 )
 def linearised_correction(x, P, reading, nominal):

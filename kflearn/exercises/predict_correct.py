@@ -2,16 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises._correction import WRONG as CORRECTION
-from kflearn.exercises._predict_correct import WRONG, other_letters
-from kflearn.exercises._predict_correct_misprints import WRONG as MORE
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_foundations import WRONG as SLIPS
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
-from kflearn.exercises._slips_steps import WRONG as LATER
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third import WRONG as THIRD
+from kflearn.exercises._slips import predict_correct as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -22,10 +13,7 @@ from kflearn.exercises.engine import exercise
         "F P = [[4, 7], [1, 3]]. Fᵀ = [[1, 0], [2, 1]]: the 2 has gone to the other corner.",
         "F P Fᵀ = [[18, 7], [7, 3]]; add 4 and 1 on the diagonal.",
     ],
-    wrong=WRONG["predicted_covariance"]
-    | LATER["predicted_covariance"]
-    | THIRD["predicted_covariance"]
-    | TENTH["predicted_covariance"],
+    wrong=slips.predicted_covariance.WRONG,
     then="The errors of position and velocity now belong together more closely: their correlation has grown from 1/√6 = 0.41 to 7/√88 = 0.75. The motion alone would make it 7/√54 = 0.95; the bumps lower it again.",
 )
 def predicted_covariance():
@@ -59,7 +47,7 @@ def corrections(rng, n, m):
         "`K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)`, then `return x + K @ (z - H @ x), (np.eye(len(x)) - K @ H) @ P`",
     ],
     inputs=in_turn(corrections, (1, 1), (2, 2), (3, 3), (2, 2), (2, 1), (3, 2)),
-    wrong=CORRECTION["correct"] | SLIPS["correct"] | FOURTH["correct"] | SEVENTH["correct"] | TENTH["correct"],
+    wrong=slips.correct.WRONG,
     then="If R goes to zero and H can be inverted, K goes to H⁻¹: the new state is then the one that gives exactly z.",
 )
 def correct(x, P, z, H, R):
@@ -74,11 +62,7 @@ def correct(x, P, z, H, R):
         "P⁻Hᵀ is the second column of P⁻, [6, 4], and the variance of the innovation is 4 + 1 = 5. Which entry of K belongs to the position?",
         "K₁ = 6/5 m per m/s, and the innovation is 13 − 10 = 3 m/s.",
     ],
-    wrong=CORRECTION["speedometer"]
-    | LATER["speedometer"]
-    | THIRD["speedometer"]
-    | FIFTH["speedometer"]
-    | TENTH["speedometer"],
+    wrong=slips.speedometer.WRONG,
     unit="m",
     otherwise=lambda x: (
         f"Your answer is {x - 60:.3g} m from the predicted 60 m. Only K₁ times the innovation of 3 m/s is to be added, so K₁ would be {(x - 60) / 3:.3g}. Which numbers make K₁?"
@@ -98,7 +82,7 @@ def speedometer():
         "60.5 m is half a metre more than the prediction of 60 m. Which gain, times which innovation, is a half?",
         "A gain of 1/2 needs P⁻ = R, so somebody forgot Q; an innovation of 1 needs H x̂⁻ = 61, so the tape is compared with 60 + 1.",
     ],
-    wrong={letters: (set(letters), sentence) for letters, sentence in other_letters()},
+    wrong=slips.printed_position.WRONG,
     then="Three mistakes together end 1.17 m from the right 61.67 m, and one of them alone 8.33 m: mistakes can hide one another.",
 )
 def printed_position():
@@ -121,7 +105,7 @@ def whole_steps(rng, n, m):
         "P_pred = F @ P @ F.T + Q, and x_new = x_pred + K @ (z - H @ x_pred); the other lines stay.",
     ],
     inputs=in_turn(whole_steps, (1, 1), (2, 2), (3, 3), (2, 2), (2, 1), (3, 2)),
-    wrong=MORE["misprints"] | LATER["misprints"] | TENTH["misprints"],
+    wrong=slips.misprints.WRONG,
     then="A covariance is symmetric, and P·F·P is not as soon as the velocity is uncertain: a test of symmetry would have found this misprint.",
 )
 def misprints(x, P, z, F, H, Q, R):

@@ -5,13 +5,7 @@ import numpy as np
 from kflearn import angle_difference
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import series
-from kflearn.exercises._readings_that_lie import WRONG
-from kflearn.exercises._slips_eighth import WRONG as EIGHTH
-from kflearn.exercises._slips_fifth_early import shut
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_gates import WRONG as MORE
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third_filters import WRONG as THIRD
+from kflearn.exercises._slips import readings_that_lie as slips
 from kflearn.exercises._speaker import (
     FAILING,
     PASSING,
@@ -53,7 +47,7 @@ def readings(rng, trial):
         "`return angle_difference(reading, x) ** 2 > sigmas**2 * (P + R)`",
     ],
     inputs=in_turn(readings, *range(len(SHARES))),
-    wrong=WRONG["is_refused"] | MORE["is_refused"] | TENTH["is_refused"],
+    wrong=slips.is_refused.WRONG,
     then="Square both sides: the left one over S is the NIS, and 3σ is a limit of 9. An honest filter refuses 0.3 % of its good readings there.",
 )
 def is_refused(reading, x, P, R, sigmas):
@@ -76,8 +70,8 @@ def openings(rng):
     ],
     inputs=openings,
     rtol=1e-9,
-    wrong=WRONG["steps_shut"] | MORE["steps_shut"] | TENTH["steps_shut"],
-    otherwise=shut,
+    wrong=slips.steps_shut.WRONG,
+    otherwise=slips.steps_shut.shut,
     then="With the lesson's Q = 0.2 and R = 2, this gate of 3σ lets in a speaker who is 90° away after about 4490 steps, seven and a half minutes. To reach twice as far takes four times as long.",
 )
 def steps_shut(away, P, Q, R):
@@ -110,12 +104,7 @@ def refusals(rng, n):
         "`return np.sum(abs(angle_difference(refused, reading)) <= width)`",
     ],
     inputs=in_turn(refusals, 2, 5, 3, 8, 0),
-    wrong=WRONG["agreeing"]
-    | MORE["agreeing"]
-    | THIRD["agreeing"]
-    | FOURTH["agreeing"]
-    | EIGHTH["agreeing"]
-    | TENTH["agreeing"],
+    wrong=slips.agreeing.WRONG,
     then="Three such readings of the last five are a reason to start again there; three that contradict one another are not.",
 )
 def agreeing(refused, reading, width):
@@ -152,7 +141,7 @@ def whole_turns_off(x, P, reading, Q, R):
         "Else K = (P + Q)/S, and `return x + K * y, (1 - K) * (P + Q)`.",
     ],
     inputs=in_turn(steps, *range(len(GATES))),
-    wrong=WRONG["gated_step"] | MORE["gated_step"],
+    wrong=slips.gated_step.WRONG,
     also=[whole_turns_off],
     then="The gate stands between prediction and correction, where the innovation and its S are those of this reading.",
 )

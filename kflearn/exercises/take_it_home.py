@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from kflearn.exercises._slips_eighth import WRONG as EIGHTH
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._take_it_home import WRONG, half_readings, wrong_sensors
+from kflearn.exercises._slips import take_it_home as slips
+from kflearn.exercises._take_it_home import half_readings
 from kflearn.exercises.engine import exercise
 
 
@@ -15,7 +14,7 @@ from kflearn.exercises.engine import exercise
         "F P = [[4, 2], [0, 1]]. Times Fᵀ = [[1, 0], [2, 1]], and then Q is added: what becomes of the lower right entry?",
         "In NumPy: `np.array([[1, 2], [0, 1]]) @ np.diag([4, 1]) @ np.array([[1, 0], [2, 1]]) + np.diag([0, 1])`",
     ],
-    wrong=WRONG["start_covariance"] | EIGHTH["start_covariance"],
+    wrong=slips.start_covariance.WRONG,
     then="With `to_first_reading(model, initial)` it is one call. Hand over the mean as well: it moves to F x, and by B u if there is a control input.",
 )
 def start_covariance():
@@ -31,7 +30,7 @@ def start_covariance():
         "50 rows less 6 gaps and less 4 half readings, with two numbers each.",
         "`-31.40 - 80 / 2 * np.log(2 * np.pi)`",
     ],
-    wrong=WRONG["with_the_constant"] | EIGHTH["with_the_constant"],
+    wrong=slips.with_the_constant.WRONG,
     then="A library that uses the half readings as well gives yet another number, and no constant leads to it: these are other data.",
 )
 def with_the_constant():
@@ -48,7 +47,7 @@ def with_the_constant():
         "With `H, R = H[seen], R[np.ix_(seen, seen)]` it is the usual correction: `K = P @ H.T @ inv(H @ P @ H.T + R)`, then `x + K @ (z[seen] - H @ x)` and `P - K @ H @ P`.",
     ],
     inputs=half_readings(),
-    wrong=WRONG["use_what_is_there"] | SEVENTH["use_what_is_there"] | EIGHTH["use_what_is_there"],
+    wrong=slips.use_what_is_there.WRONG,
     then="This holds for every R. Rows of zeros, and one number after another, need a diagonal one.",
 )
 def use_what_is_there(x, P, z, H, R):
@@ -66,7 +65,7 @@ def use_what_is_there(x, P, z, H, R):
         "By experiment: `simdkalman.KalmanFilter(np.eye(2), np.eye(2), H, np.eye(len(H)))`, then `compute` one row of NaN, `np.full((1, 1, len(H)), np.nan)`, with `filtered=True` and look at `filtered.states.cov`.",
         "The sums are 1, 0, 2, −1 and 0, for A to E.",
     ],
-    wrong={", ".join(sorted(picked)): (picked, sentence) for picked, sentence in wrong_sensors()},
+    wrong=slips.own_start.WRONG,
     then="With 0 the filter is sure of a state that nobody told it, and with −25 its first estimate goes beyond what the reading says (R below 25) or to the other side (R above 25). Give a start of your own, always.",
 )
 def own_start():

@@ -3,17 +3,8 @@
 import numpy as np
 
 from kflearn import rmse
-from kflearn.exercises import _falling_report
 from kflearn.exercises._hints import of_choice
-from kflearn.exercises._slips_fifth_early import of_a_start
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._slips_rooms import WRONG as MORE
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third_filters import SUSPECT
-from kflearn.exercises._slips_third_filters import WRONG as THIRD
-from kflearn.exercises._temperature_and_free_fall import WRONG
+from kflearn.exercises._slips import temperature_and_free_fall as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -32,12 +23,7 @@ def rooms(rng):
         "Two changes: `K * (reading - x)` and `np.sqrt((1 - K) * P)`.",
     ],
     inputs=rooms,
-    wrong=WRONG["mended_step"]
-    | SLIPS["mended_step"]
-    | MORE["mended_step"]
-    | THIRD["mended_step"]
-    | SEVENTH["mended_step"]
-    | TENTH["mended_step"],
+    wrong=slips.mended_step.WRONG,
     fixed={"room": "the truth, at which the right step does not look"},
     then="With the truth in place of the reading the error looks far smaller than it would in a real room, where nobody knows the truth.",
 )
@@ -63,8 +49,8 @@ def days(rng, count):
         "`x, P = z[0], R`, then for each reading in `z[1:]`: P = P + Q, K = P / (P + R), x = x + K * (reading - x), P = (1 - K) * P.",
     ],
     inputs=in_turn(days, 3, 6, 4, 2, 9),
-    wrong=WRONG["room_filter"] | MORE["room_filter"] | FOURTH["room_filter"] | TENTH["room_filter"],
-    otherwise=lambda results, rights: of_a_start(results, room_filter.cases),
+    wrong=slips.room_filter.WRONG,
+    otherwise=lambda results, rights: slips.room_filter.of_a_start(results, room_filter.cases),
     then="A start at x = 0 with P = 10⁶ and a loop over all readings would give nearly the same: from so vague a start, the first correction makes x the first reading and P nearly R.",
 )
 def room_filter(z, Q, R):
@@ -92,23 +78,9 @@ def room_filter(z, Q, R):
         "A wrong R leaves the innovations even on both sides. So it is g. Where does the filter expect the stone: too high or too low?",
         "The innovation is the reading minus the expected height. It is positive, so the filter expects the stone too low: in the filter it falls too fast.",
     ],
-    wrong={
-        "g too small": (
-            "g too small",
-            "With g too small the filter expects the stone too high; the readings would lie below, with a minus sign.",
-        ),
-        "R too small": (
-            "R too small",
-            "That would explain a NIS above 1. But the innovations would fall evenly on both sides and average zero.",
-        ),
-        "R too large": (
-            "R too large",
-            "With R too large the NIS would lie below 1, and the innovations would average zero.",
-        ),
-    }
-    | THIRD["suspect"],
+    wrong=slips.suspect.WRONG,
     also=["gravity too large"],
-    otherwise=SUSPECT,
+    otherwise=slips.suspect.SUSPECT,
     then="With a wrong R the innovations are on both sides of zero. Only a wrong g pushes them to one side. With too large a g "
     "the expected stone falls too fast, so the readings are above it and the innovations are positive.",
 )
@@ -129,7 +101,7 @@ def draws(rng, steps):
         "`return np.sqrt(Q) @ normal` (the root entry by entry is right, because Q is diagonal).",
     ],
     inputs=in_turn(draws, 3, 5, 2, 1, 6),
-    wrong=WRONG["noise"] | SLIPS["noise"] | MORE["noise"] | FOURTH["noise"] | TENTH["noise"],
+    wrong=slips.noise.WRONG,
     fixed={"Q": "height and velocity are two states, so Q is always two by two"},
     then="For a Q with corners the root entry by entry is wrong: then take np.linalg.cholesky(Q) @ normal.",
 )
@@ -154,10 +126,7 @@ def published_falls(rng, T):
         "`rmse(mean[above, 0], x[above, 0])`, the same with `ignored`, and `np.sqrt(cov[above][-1, 1, 1])`.",
     ],
     inputs=in_turn(published_falls, 6, 8, 7, 10),
-    wrong=_falling_report.WRONG["honest_report"]
-    | MORE["honest_report"]
-    | FOURTH["honest_report"]
-    | TENTH["honest_report"],
+    wrong=slips.honest_report.WRONG,
     fixed={"z": "the raw readings, which an honest report of these three numbers does not need"},
     then="Always print the error of ignoring all readings beside that of the filter. The published report leaves it out.",
 )

@@ -4,17 +4,11 @@ import math
 
 import numpy as np
 
-from kflearn.exercises import _two_fixes
 from kflearn.exercises._cart_seen import before, look
 from kflearn.exercises._cart_with_gaps import FAILING, PASSING, honest_at, honest_at_first, honest_where_fine, recording
 from kflearn.exercises._hints import tried
 from kflearn.exercises._judge import inside, nees, rms, track
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
-from kflearn.exercises._slips_third_filters import WRONG as THIRD
-from kflearn.exercises._slips_train import WRONG as MORE
-from kflearn.exercises._train_and_ship import WRONG
+from kflearn.exercises._slips import train_and_ship as slips
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
 
@@ -40,7 +34,7 @@ def speeds(rng):
     ],
     inputs=speeds,
     rtol=5e-3,  # a mean over many values between the limits is right as well
-    wrong=WRONG["start_variance"] | MORE["start_variance"] | FOURTH["start_variance"],
+    wrong=slips.start_variance.WRONG,
     then="If the filter starts in the middle of the range, only (high − low)²/12 is left. For 0 to 10 m/s this is a speed of 5 m/s with σ = 2.9 m/s.",
 )
 def start_variance(low, high, believed):
@@ -69,7 +63,7 @@ def positions(rng, count):
         "`speed[5:] = (z[5:] - z[:-5]) / (5 * dt)`, in an array that was NaN before.",
     ],
     inputs=in_turn(positions, 6, 9, 7, 14),
-    wrong=WRONG["running_average"] | MORE["running_average"] | THIRD["running_average"],
+    wrong=slips.running_average.WRONG,
     then="All readings in between cancel, so the average of five differences has a fifth of the error of one, not 1/√5 of it.",
 )
 def running_average(z, dt):
@@ -92,7 +86,7 @@ def fix_errors(rng, count):
         "`return errors.mean(axis=0), np.sqrt(np.mean(np.sum(errors**2, axis=1)))`",
     ],
     inputs=in_turn(fix_errors, 3, 12, 5, 2),
-    wrong=WRONG["report"] | MORE["report"] | SEVENTH["report"] | TENTH["report"],
+    wrong=slips.report.WRONG,
     then="You need both numbers. A large mean error says that the receiver is biased, and a filter that assumes errors of mean zero does not remove a bias.",
 )
 def report(errors):
@@ -108,68 +102,7 @@ def report(errors):
     ],
     unit="m²",
     rtol=5e-3,
-    wrong={
-        "σ = 6": (
-            36.0,
-            "36 is 6², with 6 m for σ of an axis. Where σ is 10 m, half of the fixes lie within 11.8 m: σ is smaller than 6 m.",
-        ),
-        "as rms distance": (
-            18.0,
-            "18 is 6²/2, as if 6 m were the rms *distance*, √2 σ. Half of the fixes lie within a smaller circle, 1.18 σ.",
-        ),
-        "as mean distance": (
-            lambda: 36 / (math.pi / 2),
-            "22.9 is (6/1.25)², with 6 m for the mean distance, 1.25 σ. The radius that holds half of the fixes is 1.18 σ.",
-        ),
-        "a deviation": (lambda: 6 / math.sqrt(2 * math.log(2)), "That is σ, in metres. R is a variance: square it."),
-        "as 2σ": (
-            9.0,
-            "9 is (6/2)², as if 6 m were 2σ. A radius of 2σ holds 86 % of the fixes in the plane; this one holds half.",
-        ),
-        "on a line": (
-            lambda: (6 / 0.6744897501960817) ** 2,
-            "0.674σ holds half of the values on a *line*. In the plane both axes must be small at once, and it takes 1.18 σ.",
-        ),
-        "both axes": (
-            lambda: 2 * 36 / (2 * math.log(2)),
-            "That is the mean square distance, both axes together. R wants the variance of one axis: half of it.",
-        ),
-        "multiplied": (
-            lambda: 36 * 2 * math.log(2),
-            "49.9 is (6 · 1.18)². The radius is the larger number here, σ the smaller: divide.",
-        ),
-        "not squared, not divided": (
-            6.0,
-            "6 is the radius of the sheet itself, and not an R. (You get 6 also if you take 6 m for R95, 2.45 σ. But half of the fixes are within 1.18 σ.) First find σ of one axis, then square it.",
-        ),
-        "rms distance, not squared": (
-            lambda: 6 / math.sqrt(2),
-            "4.24 is 6/√2, a σ if 6 m were the rms distance. Half of the fixes lie within 1.18 σ; and R is a variance.",
-        ),
-        "halved": (
-            lambda: 36 / (2 * math.log(2)) / 2,
-            "You halved. But 6 m/1.177 is σ of one axis already, and R is its square.",
-        ),
-        "mean distance of the lesson": (
-            lambda: (60 / 12.5) ** 2,
-            "23.04 is (6/1.25)², and the lesson's 12.5 m is the *mean* distance. Which of the four numbers has half of the fixes inside?",
-        ),
-        "half of 6 m as σ": (
-            3.0,
-            "3 is half of the radius. R is a variance, and half of the fixes lie within 1.18 σ, not within 2 σ.",
-        ),
-        "half of σ": (
-            lambda: 6 / math.sqrt(2 * math.log(2)) / 2,
-            "2.55 is half of σ. R is the square of σ, and σ of one axis is 6 m/1.177.",
-        ),
-        "root of the radius over 1.18": (
-            lambda: 6 / 1.177**2,
-            "4.33 is 6/1.177², with the 6 m not squared. First σ = 6 m/1.177, then the square of it.",
-        ),
-    }
-    | MORE["data_sheet"]
-    | THIRD["data_sheet"]
-    | FOURTH["data_sheet"],
+    wrong=slips.data_sheet.WRONG,
     then="The same receiver could print 7.2 m (rms), 6.4 m (mean) or 12.5 m (95 %): always ask which of them a sheet means.",
 )
 def data_sheet():
@@ -192,10 +125,7 @@ def two_fixes(rng):
         "`return np.array([z1, (z1 - z0) / dt]), R * np.array([[1, 1 / dt], [1 / dt, 2 / dt**2]])`",
     ],
     inputs=two_fixes,
-    wrong=_two_fixes.WRONG["two_point_start"]
-    | MORE["two_point_start"]
-    | FOURTH["two_point_start"]
-    | TENTH["two_point_start"],
+    wrong=slips.two_point_start.WRONG,
     then="Half the dt makes the σ of the speed twice as large. So two fixes further apart make the better start, as long as Q may be left out.",
 )
 def two_point_start(z0, z1, dt, R):

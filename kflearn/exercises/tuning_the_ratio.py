@@ -5,17 +5,8 @@ import math
 import numpy as np
 
 from kflearn.exercises._hints import is_about
-from kflearn.exercises._slips_balance import WRONG as LATER
-from kflearn.exercises._slips_eighth import WRONG as EIGHTH
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_fourth import KNOBS
-from kflearn.exercises._slips_practice import WRONG as SLIPS
-from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
-from kflearn.exercises._slips_third import KNOB
-from kflearn.exercises._slips_third import WRONG as THIRD
-from kflearn.exercises._tuning_the_ratio import WRONG, of_sigma, sheet_by_sheet
-from kflearn.exercises._tuning_the_ratio_readings import WRONG as MORE
+from kflearn.exercises._slips import tuning_the_ratio as slips
+from kflearn.exercises._tuning_the_ratio import of_sigma, sheet_by_sheet
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -30,7 +21,7 @@ from kflearn.exercises.engine import exercise
         "q = 0.04. K solves K² + qK − q = 0, and the variance after a reading is K·R.",
         "K = (√(0.0016 + 0.16) − 0.04)/2 = 0.1810; P = 0.1810 · 0.25 = 0.04525 °C²; σ = √P = 0.2127 °C.",
     ],
-    wrong=WRONG["steady_sigma"] | LATER["steady_sigma"] | TENTH["steady_sigma"],
+    wrong=slips.steady_sigma.WRONG,
     unit="°C",
     otherwise=of_sigma,
     then="The filter claims ±0.43 °C (two sigmas), where the thermometer alone has ±1 °C.",
@@ -49,7 +40,7 @@ def steady_sigma():
         "and σ = a/√3.",
         "(a) 2.5² = 6.25 m²; (b) 0.3² = 0.09 °C²; (c) 0.25²/3 = 0.0208 V².",
     ],
-    wrong=WRONG["data_sheets"] | TENTH["data_sheets"],
+    wrong=slips.data_sheets.WRONG,
     rtol=5e-3,
     otherwise=sheet_by_sheet,
     then="With 1.96 in place of 2, (b) is 0.0937 °C², which is right as well. The σ of the rounding, 0.144 V, is less than a third of the step.",
@@ -66,25 +57,8 @@ def data_sheets():
         "The estimate is nearly as good as it can be, so leave the line alone. What may move the band and not the line?",
         "The ratio must stay. The claim is three times too small, so Q and R are nine times too small.",
     ],
-    wrong={
-        "Q up": (
-            "A",
-            "A larger Q changes the ratio, and so the estimate, which is nearly the best already. Only the band needs mending.",
-        ),
-        "R up": (
-            "B",
-            "A larger R widens the band, but it changes the ratio too: the estimate becomes late. Keep Q/R.",
-        ),
-        "both down": ("D", "That makes the band narrower still. The claim, 0.09 V, is too small already."),
-        "A and B": (
-            {"A", "B"},
-            "Both up, but by which factors? If you mean the same factor, one letter says it; different ones change the ratio.",
-        ),
-        "P₀ up": ("E", "P₀ is forgotten after a few readings; the claim settles at √(K·R) whatever the start was."),
-    }
-    | THIRD["which_knob"]
-    | FIFTH["which_knob"],
-    otherwise=lambda answer: KNOB(answer) or KNOBS(answer),
+    wrong=slips.which_knob.WRONG,
+    otherwise=slips.which_knob.KNOB,
     then="Q and R multiplied by the same factor leave the gain as it was, and so the line; σ grows by the root of the factor. Nine times both turns 0.09 V into 0.27 V.",
 )
 def which_knob():
@@ -105,7 +79,7 @@ def recordings_at_rest(rng, n):
     ],
     inputs=in_turn(recordings_at_rest, 250, 400, 1000),
     rtol=5e-3,
-    wrong=MORE["three_sigma"] | LATER["three_sigma"] | SEVENTH["three_sigma"] | EIGHTH["three_sigma"],
+    wrong=slips.three_sigma.WRONG,
     then="With R nine times too large the gain at Q = R falls from 0.62 to 0.28, and the estimate comes late.",
 )
 def three_sigma(at_rest):
@@ -134,11 +108,7 @@ def drifting_recordings(rng, n):
         lambda readings: np.mean(abs(np.diff(readings))) ** 2 * np.pi / 4,
         lambda readings: (1.4826 * np.median(abs(np.diff(readings)))) ** 2 / 2,
     ],
-    wrong=MORE["R_with_drift"]
-    | SLIPS["R_with_drift"]
-    | LATER["R_with_drift"]
-    | EIGHTH["R_with_drift"]
-    | TENTH["R_with_drift"],
+    wrong=slips.R_with_drift.WRONG,
     then="It works as long as the drift from one reading to the next is small beside the noise. What would a sudden step of the source do to it?",
 )
 def R_with_drift(readings):

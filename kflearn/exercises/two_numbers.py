@@ -4,11 +4,8 @@ import math
 
 import numpy as np
 
-from kflearn.exercises._slips_fourth import stretched
-from kflearn.exercises._slips_steps import WRONG as SLIPS
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
+from kflearn.exercises._slips import two_numbers as slips
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._two_numbers import WRONG
 from kflearn.exercises.engine import exercise
 
 
@@ -25,7 +22,7 @@ def pairs(rng, count):
         "`return np.array([[(dx * dx).mean(), (dx * dy).mean()], [(dx * dy).mean(), (dy * dy).mean()]])`",
     ],
     inputs=in_turn(pairs, 4, 5, 9, 40),
-    wrong=WRONG["table_of"] | SLIPS["table_of"] | TENTH["table_of"],
+    wrong=slips.table_of.WRONG,
     then="`np.cov(x, y, bias=True)` gives the same table. Without `bias=True` it divides by N − 1, because the mean was estimated from the same data.",
 )
 def table_of(x, y):
@@ -40,7 +37,7 @@ def table_of(x, y):
         "A P Aᵀ with A = [−1, 1]: the variance of one end, plus that of the other, minus twice the corner.",
         "The corner is 0.8 · 3 · 3 = 7.2 mm². Then 9 + 9 − 2 · 7.2 = 3.6 mm², and its root.",
     ],
-    wrong=WRONG["table_length"] | SLIPS["table_length"] | TENTH["table_length"],
+    wrong=slips.table_length.WRONG,
     unit="mm",
     rtol=5e-3,
     otherwise=lambda sigma: (
@@ -60,7 +57,7 @@ def table_length():
         "On average the velocity deviates by corner / variance of the position for each metre.",
         "6 / 13 (m/s)/m · 3 m, on top of the 10 m/s that were expected.",
     ],
-    wrong=WRONG["told_speed"] | SLIPS["told_speed"] | TENTH["told_speed"],
+    wrong=slips.told_speed.WRONG,
     unit="m/s",
     rtol=5e-3,
     otherwise=lambda speed: (
@@ -80,8 +77,8 @@ def told_speed():
         "`return np.sqrt(-2 * np.log(1 - share))`",
     ],
     inputs=lambda rng: (float(rng.choice([0.1, 0.39, 0.5, 0.68, 0.8, 0.86, 0.9, 0.95, 0.99, 0.999])),),
-    wrong=WRONG["scale_for"] | SLIPS["scale_for"] | TENTH["scale_for"],
-    otherwise=stretched,
+    wrong=slips.scale_for.WRONG,
+    otherwise=slips.scale_for.stretched,
     then="For 95 % k is 2.45. With m numbers, tied or not, k² is the chi-square quantile with m degrees of freedom: `scipy.stats.chi2.ppf(share, m)`.",
 )
 def scale_for(share):

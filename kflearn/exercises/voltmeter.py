@@ -7,18 +7,8 @@ import numpy as np
 from kflearn.exercises import _voltmeter_judge as judge
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._judge import Mark
-from kflearn.exercises._slips_balance import WRONG as LATER
-from kflearn.exercises._slips_eighth import WRONG as EIGHTH
-from kflearn.exercises._slips_fifth_early import WRONG as FIFTH
-from kflearn.exercises._slips_foundations import WRONG as SLIPS
-from kflearn.exercises._slips_fourth import WRONG as FOURTH
-from kflearn.exercises._slips_more import WRONG as NEW
-from kflearn.exercises._slips_seventh_early import WRONG as SEVENTH
-from kflearn.exercises._slips_seventh_early import of_best_error
-from kflearn.exercises._slips_tenth_early import WRONG as TENTH
+from kflearn.exercises._slips import voltmeter as slips
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._voltmeter import WRONG
-from kflearn.exercises._voltmeter_start import WRONG as MORE
 from kflearn.exercises.engine import exercise, judged
 
 
@@ -32,7 +22,7 @@ from kflearn.exercises.engine import exercise, judged
         "Before the second reading P has grown from 2 to 2 + Q.",
         "K = 5 / (5 + 9).",
     ],
-    wrong=WRONG["second_gain"] | LATER["second_gain"] | FOURTH["second_gain"] | SEVENTH["second_gain"],
+    wrong=slips.second_gain.WRONG,
     otherwise=lambda K: (
         f"A gain of {K:.3g} would need P⁻ = {9 * K / (1 - K):.3g} V² beside R = 9 V². What is P⁻ before the second reading?"
         if 0 < K < 1
@@ -59,11 +49,7 @@ def noises(rng):
     ],
     inputs=noises,
     rtol=5e-4,  # for a recursion of a hundred steps, or one that stops when the gain rests
-    wrong=WRONG["steady_gain"]
-    | NEW["steady_gain"]
-    | SLIPS["steady_gain"]
-    | LATER["steady_gain"]
-    | TENTH["steady_gain"],
+    wrong=slips.steady_gain.WRONG,
     then="For a small q the gain is nearly √q: with Q a hundred times smaller than R it is 0.095.",
 )
 def steady_gain(Q, R):
@@ -89,7 +75,7 @@ def starts(rng, n):
         "`return np.isnan(x).any()`",
     ],
     inputs=in_turn(starts, 1, 3, 2, 5),
-    wrong=LATER["is_unknown"] | NEW["is_unknown"] | WRONG["is_unknown"] | SLIPS["is_unknown"] | FIFTH["is_unknown"],
+    wrong=slips.is_unknown.WRONG,
     then="One NaN spreads at once: in F @ x each entry becomes NaN, even where F has a zero, because 0 · NaN is NaN.",
 )
 def is_unknown(x):
@@ -111,7 +97,7 @@ def first_measurements(rng, n):
         "`A = np.linalg.inv(H)`, then `return A @ z, A @ R @ A.T`",
     ],
     inputs=in_turn(first_measurements, 1, 2, 3, 2),
-    wrong=MORE["auto_start"] | SLIPS["auto_start"] | NEW["auto_start"] | EIGHTH["auto_start"],
+    wrong=slips.auto_start.WRONG,
     then="A correction that starts from any x with a P that grows beyond all bounds tends to the same x and P: this is the start of somebody who knew nothing.",
 )
 def auto_start(z, H, R):
@@ -128,77 +114,8 @@ def auto_start(z, H, R):
     ],
     unit="V",
     rtol=1e-3,  # 1.416, which the lesson measured, is not the exact value
-    wrong={
-        "variance": (
-            2.0,
-            "2 V² is the variance that is left; the error in volts is its root. (By chance 2 V is the error of a single reading too: the best answer must be better than that.)",
-        ),
-        "K": (
-            0.5,
-            "0.5 is K, and also the sum of the two precisions, in 1/V². The question goes on: what error is left?",
-        ),
-        "filter's claim": (
-            1.5723,
-            "That is what the Kalman filter claims with its random walk. An answer that knows the 12 V is better.",
-        ),
-        "filter's error": (
-            1.63,
-            "That is what the Kalman filter reaches; the formula that knows the right world gets better.",
-        ),
-        "K times σ": (1.0, "1 V is half of a reading's σ. It is the variance that K cuts in half, not σ."),
-        "one variance": (4.0, "4 V² is the variance of each of the two. Together they are better than each alone."),
-        "root of K": (
-            lambda: math.sqrt(0.5),
-            "0.707 is √0.5. That 0.5 is K, or the sum of the two precisions in 1/V²; neither is a variance. Take the root of the variance that is left, 4(1 − K).",
-        ),
-        "variances added": (
-            lambda: math.sqrt(8),
-            "2.83 V is √8 V. Two mistakes lead to it. Either you added the variances: fusing two opinions makes the variance smaller "
-            "than each. Or you took the 4 in both places for a standard deviation: both are variances, 4 V².",
-        ),
-        "variance of the random walk": (
-            lambda: 4 * 0.618034,
-            "2.47 V² is the variance that the Kalman filter with its random walk comes to, and its gain is 0.618. Here the "
-            "reading is fused with N(12, 4), whose gain is another; and the error is a root.",
-        ),
-        "one part weighed": (
-            lambda: math.sqrt(5),
-            "2.24 is the root of (½)²·4 + 4, with one part weighed. Both parts are weighed with ½: (½)²·4 + (½)²·4.",
-        ),
-        "sum of the variances": (
-            8.0,
-            "8 V² is the sum of the two variances. Fusing makes the variance smaller than each.",
-        ),
-        "12 V": (12, "12 V is the mean of the source. How far off is the best answer?"),
-        "golden": (
-            0.618034,
-            "That is the gain of the filter with its random walk. Here the reading is fused with N(12, 4), by lesson 4.",
-        ),
-        "in the constant world": (
-            1.35,
-            "1.35 V is the filter's error for a source that does not move. Here it jumps about 12 V.",
-        ),
-        "filter's gain": (
-            lambda: 2 * math.hypot(0.381966, 0.618034),
-            "That is the error with the gain 0.618 of the filter with its random walk. Here the gain comes from N(12, 4) and a reading with the variance 4.",
-        ),
-        "4 taken for a σ": (
-            lambda: math.sqrt(64 / 20),
-            "1.79 is √3.2, and 3.2 is left when a variance of 4 is fused with one of 4² = 16. In N(12, 4) the 4 is a variance, and the reading's 4 V² is one too.",
-        ),
-        "average's error": (
-            0.739,
-            "0.739 V is the error of an average where the source does not move. Here it is drawn anew each time.",
-        ),
-        "measured": (
-            1.416,
-            "1.416 V is what the simulation measured. Asked is the exact value: four digits of it are enough.",
-        ),
-        "K and error": (lambda: (0.5, math.sqrt(2)), "Both are right. Give the second alone: how far off, in volts."),
-    }
-    | NEW["best_error"]
-    | TENTH["best_error"],
-    otherwise=of_best_error,
+    wrong=slips.best_error.WRONG,
+    otherwise=slips.best_error.of_best_error,
     then="The filter with its random walk is off by 1.63 V, because it also uses older readings, and in this world they say nothing about now.",
 )
 def best_error():

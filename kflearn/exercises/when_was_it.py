@@ -4,13 +4,22 @@ import numpy as np
 
 from kflearn.exercises import _a_stream, _a_stream_seen, _a_stream_signs
 from kflearn.exercises._judge import track
-from kflearn.exercises._slips_fifth_late_when import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
-from kflearn.exercises._slips_seventh_late import WRONG as SEVENTH
-from kflearn.exercises._slips_tenth_late import WRONG as TENTH
+from kflearn.exercises._slips import when_was_it as slips
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._when_was_it import OTHER_WAYS, WRONG, of_no_table
 from kflearn.exercises.engine import exercise, judged
+
+
+def least_difference(v, late, dt):
+    """The shift at which the two differ least, each about its own mean."""
+    return np.argmin([np.var(v[: len(v) - j] - late[j:]) for j in range(11)]) * dt
+
+
+def whole_series(v, late, dt):
+    """NumPy's cross-correlation of the whole series, the means taken off."""
+    return np.argmax(np.correlate(late - late.mean(), v - v.mean(), "full")[len(v) - 1 : len(v) + 10]) * dt
+
+
+OTHER_WAYS = [least_difference, whole_series]
 
 
 @exercise(
@@ -19,8 +28,8 @@ from kflearn.exercises.engine import exercise, judged
         "The distance is speed times time, in m/s and s: 54 km/h is 15 m/s.",
         "In 0.24 s the bus drives on by 15 · 0.24 m. The reading lies behind it by that much, so `-15 * 0.24`",
     ],
-    wrong=WRONG["behind"] | FOURTH["behind_25"] | FIFTH["behind"],
-    otherwise=of_no_table,
+    wrong=slips.behind.WRONG,
+    otherwise=slips.behind.of_no_table,
     unit="m",
     then="A receiver whose own error is 1 m is off by more than three of its σ, always in the same direction, and no mean over readings removes it.",
 )
@@ -48,11 +57,7 @@ def two_speeds(rng, T):
         "`found = [np.corrcoef(v[: len(v) - j], late[j:])[0, 1] for j in range(11)]`, then `np.argmax(found) * dt`",
     ],
     inputs=in_turn(two_speeds, 60, 50, 90),
-    wrong=WRONG["clock_offset"]
-    | FOURTH["clock_offset"]
-    | FIFTH["clock_offset"]
-    | SEVENTH["clock_offset"]
-    | TENTH["clock_offset"],
+    wrong=slips.clock_offset.WRONG,
     also=OTHER_WAYS,
     then="Speeds serve better than places: a place has no sharp features, and its correlation is near 1 at every shift.",
 )
@@ -68,7 +73,7 @@ def clock_offset(v, late, dt):
         "F in round k must carry the state from the moment before to times[k]. Which dt does round 0 get, and which should it get?",
         "`np.diff(times, append=…)` gives the step *after* each reading. The step before it is `np.diff(times, prepend=start)`: that line is to be changed.",
     ],
-    wrong=WRONG["which_step"],
+    wrong=slips.which_step.WRONG,
     then="`np.diff(times, prepend=start)`: the step that ends at a reading. On an even clock both give the same numbers, so no test with an even clock finds the fault.",
 )
 def which_step():

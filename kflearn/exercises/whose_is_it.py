@@ -3,13 +3,10 @@
 import numpy as np
 
 from kflearn import Gaussian, boats, pda_filter
-from kflearn.exercises import _slips_fifth_late_facts as facts
 from kflearn.exercises._a_boat import FAILING, PASSING, lost_share, not_exact, places, recording, typical
 from kflearn.exercises._a_boat_signs import SIGNS
-from kflearn.exercises._slips_fifth_late_whose import WRONG as FIFTH
-from kflearn.exercises._slips_fourth_later import WRONG as FOURTH
+from kflearn.exercises._slips import whose_is_it as slips
 from kflearn.exercises._turns import in_turn
-from kflearn.exercises._whose_is_it import WRONG
 from kflearn.exercises.engine import Mark, exercise, judged
 
 
@@ -19,8 +16,8 @@ from kflearn.exercises.engine import Mark, exercise, judged
         "The determinant of S is 36 · 25, so its root is 30 m². The area is π · 9.21 · 30.",
         "`np.pi * 9.21 * np.sqrt(36 * 25) * 0.0005`",
     ],
-    wrong=WRONG["false_in_gate"] | FOURTH["false_in_gate"] | FIFTH["false_in_gate"],
-    otherwise=facts.area_of,
+    wrong=slips.false_in_gate.WRONG,
+    otherwise=slips.false_in_gate.area_of,
     then="With a Poisson number of mean 0.43 a scan has no false reading in the gate in 65 of 100 cases, e^−0.43. In the "
     "other 35 a tracker can go wrong.",
 )
@@ -57,7 +54,7 @@ def scans(rng, N):
         "`e = np.append(b, np.where(nis <= 6.635, np.exp(-nis / 2), 0))`, and `return e / e.sum()`",
     ],
     inputs=in_turn(scans, 1, 4, 2, 7),
-    wrong=WRONG["weights"] | FOURTH["weights"] | FIFTH["weights"],
+    wrong=slips.weights.WRONG,
     then="Where no reading is in the gate the first weight is 1: the filter predicts and does not correct.",
     rtol=1e-4,  # with 6.2832 for 2π
 )
@@ -75,8 +72,8 @@ def weights(z, expected, S, detection, clutter):
         "A zero is cheaper than every real NIS. There is one in each row, and they are in different columns.",
         "The dash of track A is at reading 2, that of track B at reading 3: the sum is 0. `[2, 3]`",
     ],
-    wrong=WRONG["zeros"] | FOURTH["zeros"] | FIFTH["zeros"],
-    otherwise=facts.readings_of,
+    wrong=slips.zeros.WRONG,
+    otherwise=slips.zeros.readings_of,
     rtol=1e-9,
     then="Both tracks get a reading that the gate had refused. Forbidden pairs must be infinite, or so large that no sum of real ones comes near.",
 )

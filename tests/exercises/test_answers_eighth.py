@@ -7,24 +7,8 @@ import pytest
 
 from kflearn import angle_difference, bearings
 from kflearn.exercises._a_boat_signs import takes_the_nearest
-from kflearn.exercises._slips_eighth import WRONG
 from kflearn.exercises._speaker import medians, plain
-from tests.exercises.hand_in import asked, assert_right, assert_row, assert_told, rows_of
-
-HOMES = {
-    "gaussian_fusion": "fuse published_claim",
-    "voltmeter": "auto_start",
-    "tuning_the_ratio": "three_sigma R_with_drift",
-    "readings_that_lie": "agreeing",
-    "linearised_and_extended": "mended_slope",
-    "take_it_home": "start_covariance with_the_constant use_what_is_there",
-}
-
-
-@pytest.mark.parametrize(("name", "label", "words"), rows_of(WRONG, HOMES))
-def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    assert_row(name, label, words)
-
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 # ---- replies that say another thing than before
 

@@ -6,21 +6,9 @@ import pytest
 from kflearn.exercises import _cart_with_gaps as cart
 from kflearn.exercises import _radar as radar
 from kflearn.exercises import _unknown_receiver as receiver
-from kflearn.exercises._slips_fifth_early import WRONG
 from kflearn.exercises.engine import exercise
 from tests.exercises.hand_in import asked, assert_right, assert_told
 
-HOMES = {
-    "predict_correct": "speedometer",
-    "gaussian_fusion": "readings_needed common_cause",
-    "voltmeter": "is_unknown",
-    "tuning_the_ratio": "which_knob",
-    "bearing_of_a_sound": "offset",
-    "numerics": "orders_of_the_root",
-    "linearised_and_extended": "mended_slope linearised_correction",
-    "extended": "mended_prediction both_humps",
-}
-LESSONS = {name: lesson for lesson, names in HOMES.items() for name in names.split()}
 DICTIONARY = "The values are right, but the result is a dictionary: return the values one after the other"
 
 
@@ -92,18 +80,6 @@ ANSWERS = [
     ("train_and_ship.report", named("train_and_ship.report", "mean", "RMS"), DICTIONARY),
     ("train_and_ship.report", lambda errors: {"mean": 1, "RMS": 2}, "The result is a dictionary"),
 ]  # fmt: skip
-
-
-def rows():
-    """The exercise, the wrong answer and its sentence, for each row of the table."""
-    for name, table in WRONG.items():
-        for label, (answer, words) in table.items():
-            yield pytest.param(f"{LESSONS[name]}.{name}", answer, words, id=f"{name}: {label}")
-
-
-@pytest.mark.parametrize(("name", "answer", "words"), list(rows()))
-def test_each_row_of_the_table_is_in_its_exercise(name, answer, words):
-    assert_told(name, answer() if callable(answer) and not hasattr(asked(name), "cases") else answer, words)
 
 
 @pytest.mark.parametrize(("name", "answer", "words"), ANSWERS)

@@ -3,43 +3,7 @@
 import numpy as np
 import pytest
 
-from kflearn.exercises._slips_fifth_late import WRONG as MIDDLE
-from kflearn.exercises._slips_fifth_late_points import WRONG as POINTS
-from kflearn.exercises._slips_fifth_late_when import WRONG as WHEN
-from kflearn.exercises._slips_fifth_late_whose import WRONG as WHOSE
-from tests.exercises.hand_in import asked, assert_right, assert_told
-
-HOMES = {
-    "bearings_only": "mended_bearing",
-    "homing_missile": "left_over start_sigma figures",
-    "unscented": "three_points redrawn start_nees",
-    "interacting_models": "transition mended_start",
-    "ball_in_a_video": "true_radius",
-    "error_state_navigation": "dark_time mended_fix",
-    "consider_filter": "honest_average economical",
-    "adaptive": "weigh",
-    "smoothing": "one_step_back step_back count_once",
-    "when_was_it": "behind clock_offset",
-    "whose_is_it": "false_in_gate weights zeros",
-    "history": "behind_28",
-}
-LESSONS = {name: lesson for lesson, names in HOMES.items() for name in names.split()}
-TABLES = MIDDLE | POINTS | WHEN | WHOSE
-
-
-def rows():
-    """The exercise, the label and the sentence of each row of the tables."""
-    for name, table in TABLES.items():
-        for label, (_, words, *_) in table.items():
-            exercise = f"{LESSONS[name]}.{name.removesuffix('_28')}"
-            yield pytest.param(exercise, label, words, id=f"{name}: {label}")
-
-
-@pytest.mark.parametrize(("name", "label", "words"), list(rows()))
-def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    answer, _ = asked(name).wrong[label]
-    assert_told(name, answer, words)
-
+from tests.exercises.hand_in import assert_right, assert_told
 
 # ---- numbers that are in no table
 

@@ -13,42 +13,8 @@ from kflearn.exercises import _cart_with_gaps as cart
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises._a_stream import PASSING as STREAM
 from kflearn.exercises._a_stream_late import LATE
-from kflearn.exercises._slips_fourth import WRONG as FOUNDATIONS
-from kflearn.exercises._slips_fourth_later import WRONG as LATER
 from kflearn.exercises._thrown_ball_signs import by_distance
 from tests.exercises.hand_in import asked, assert_right, assert_told
-
-HOMES = {
-    "start_here": "three_readings",
-    "newton_to_state_space": "motion three_sensors",
-    "predict_correct": "correct",
-    "gaussian_fusion": "fuse",
-    "voltmeter": "second_gain",
-    "tuning_the_ratio": "which_knob",
-    "bearing_of_a_sound": "offset right_prediction",
-    "readings_that_lie": "agreeing",
-    "temperature_and_free_fall": "room_filter noise honest_report",
-    "train_and_ship": "start_variance data_sheet two_point_start",
-    "numerics": "average_nees orders_of_the_root posterior",
-    "linearised_and_extended": "widest_belief mended_slope into_the_plane",
-    "extended": "true_starts mended_prediction",
-    "bearings_only": "bearing_variance twin_velocity",
-    "homing_missile": "left_over start_sigma",
-    "unscented": "three_points",
-    "interacting_models": "blended_sigma",
-    "ball_in_a_video": "true_radius coast",
-    "error_state_navigation": "all_bias dark_time mended_fix",
-    "consider_filter": "economical honest_average",
-    "adaptive": "window_needed weigh mixture_cov moved_or_noisy",
-    "smoothing": "real_gap step_back",
-    "let_the_data_choose": "one_reading half_missing",
-    "when_was_it": "clock_offset behind_25",
-    "whose_is_it": "false_in_gate weights zeros",
-    "your_data": "interval_of_R milliseconds_for_seconds clock",
-    "history": "exponential_weights behind_28",
-}
-LESSONS = {name: lesson for lesson, names in HOMES.items() for name in names.split()}
-TABLES = FOUNDATIONS | LATER
 
 
 def typed(text):
@@ -202,20 +168,6 @@ WORDS = [
     ("smoothing.real_gap", 0.39 / 0.43, "The ratio is right"),
     ("smoothing.real_gap", "none", "One of the three is right"),
 ]  # fmt: skip
-
-
-def rows_of(tables):
-    """The exercise, the label and the sentence of each wrong answer."""
-    for name, table in tables.items():
-        for label, (_, words, *_) in table.items():
-            exercise = f"{LESSONS[name]}.{name.removesuffix('_25').removesuffix('_28')}"
-            yield pytest.param(exercise, label, words, id=f"{name}: {label}")
-
-
-@pytest.mark.parametrize(("name", "label", "words"), list(rows_of(TABLES)))
-def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    answer, _ = asked(name).wrong[label]
-    assert_told(name, answer, words)
 
 
 @pytest.mark.parametrize(("name", "answer", "words"), OPEN + WORDS)

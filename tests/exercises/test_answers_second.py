@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from kflearn import bearings, fit, random_walk
-from kflearn.exercises import _fitted_R, _unknown_sensor, _watch
 from kflearn.exercises import _unknown_receiver as receiver
+from kflearn.exercises import _unknown_sensor, _watch
 from kflearn.exercises._thrown_ball import KICK, motion
 from kflearn.exercises.engine import exercise
 from tests.exercises.hand_in import asked, assert_right, assert_told
@@ -134,6 +134,7 @@ def without_a_corner(P, Q, dt):
     return M + Q
 
 
+FITTED = "let_the_data_choose.fitted_R"
 NOTEBOOK_Z = "def answer(y, Q):\n    return fit(lambda R: random_walk(Q, R), z, {'R': 1.0}).parameters['R']"
 RIGHT = [
     ("let_the_data_choose.fitted_R", search()),
@@ -196,7 +197,11 @@ ANSWERS = [
     ("let_the_data_choose.fitted_R", search(log=2), "also to log 2πS"),
     ("let_the_data_choose.fitted_R", search(log=0), "Is log 2πS in the sum?"),
     ("let_the_data_choose.fitted_R", search(nis=0), "Is y²/S in the sum?"),
-    ("let_the_data_choose.fitted_R", lambda z, Q: _fitted_R.WRONG["Q fitted too"][0](z, Q), "if Q is fitted as well"),
+    (
+        "let_the_data_choose.fitted_R",
+        asked("let_the_data_choose.fitted_R").wrong["Q fitted too"][0],
+        "if Q is fitted as well",
+    ),
     (
         "let_the_data_choose.fitted_R",
         written(NOTEBOOK_Z, z=np.arange(50.0)),

@@ -8,30 +8,8 @@ from kflearn.exercises._a_stream_late import step_to
 from kflearn.exercises._answers import fault
 from kflearn.exercises._cart_with_gaps import motion
 from kflearn.exercises._results import of_gaps
-from kflearn.exercises._slips_seventh_late import WRONG
 from kflearn.exercises._words import one_of
-from tests.exercises.hand_in import asked, assert_right, assert_row, assert_told, rows_of
-
-HOMES = {
-    "temperature_and_free_fall": "mended_step",
-    "train_and_ship": "report",
-    "numerics": "orders_of_the_root",
-    "homing_missile": "left_over memory false_range",
-    "unscented": "three_points",
-    "interacting_models": "mended_start",
-    "error_state_navigation": "dark_time",
-    "consider_filter": "economical",
-    "adaptive": "mixture_cov",
-    "when_was_it": "clock_offset",
-    "your_data": "clock",
-    "history": "exponential_weights",
-    "take_it_home": "use_what_is_there",
-}
-
-
-@pytest.mark.parametrize(("name", "label", "words"), rows_of(WRONG, HOMES))
-def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    assert_row(name, label, words)
+from tests.exercises.hand_in import asked, assert_right, assert_told
 
 
 def test_a_loop_over_the_time_gets_the_sentence_of_the_squares():

@@ -9,9 +9,6 @@ from kflearn.exercises import _fitted_R, _words
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises import _voltmeter_judge as voltmeter
 from kflearn.exercises._a_ride import REST
-from kflearn.exercises._slips_third import WRONG as FOUNDATIONS
-from kflearn.exercises._slips_third_data import WRONG as DATA
-from kflearn.exercises._slips_third_filters import WRONG as FILTERS
 from tests.exercises.hand_in import asked, assert_right, assert_told
 
 
@@ -97,62 +94,6 @@ def a_decade_apart(z, Q):
     return 10.0 ** np.round(np.log10(_fitted_R.best(z, Q)))
 
 
-LESSONS = {
-    "three_readings": "start_here",
-    "update_mean": "start_here",
-    "root_mean_square": "start_here",
-    "motion": "newton_to_state_space",
-    "three_sensors": "newton_to_state_space",
-    "overwritten": "newton_to_state_space",
-    "predicted_covariance": "predict_correct",
-    "speedometer": "predict_correct",
-    "readings_needed": "gaussian_fusion",
-    "which_knob": "tuning_the_ratio",
-    "interval": "is_the_filter_honest",
-    "mystery": "is_the_filter_honest",
-    "draw_start": "is_the_filter_honest",
-    "offset": "bearing_of_a_sound",
-    "right_update": "bearing_of_a_sound",
-    "is_a_covariance": "bearing_of_a_sound",
-    "agreeing": "readings_that_lie",
-    "mended_step": "temperature_and_free_fall",
-    "suspect": "temperature_and_free_fall",
-    "running_average": "train_and_ship",
-    "data_sheet": "train_and_ship",
-    "orders_of_the_root": "numerics",
-    "posterior": "numerics",
-    "widest_belief": "linearised_and_extended",
-    "mended_slope": "linearised_and_extended",
-    "into_the_plane": "linearised_and_extended",
-    "true_starts": "extended",
-    "mended_prediction": "extended",
-    "mended_bearing": "bearings_only",
-    "start_sigma": "homing_missile",
-    "false_range": "homing_missile",
-    "declared_kappa": "unscented",
-    "start_nees": "unscented",
-    "mended_start": "interacting_models",
-    "coast": "ball_in_a_video",
-    "all_bias": "error_state_navigation",
-    "dark_time": "error_state_navigation",
-    "mended_fix": "error_state_navigation",
-    "inflated": "consider_filter",
-    "first_covariance": "consider_filter",
-    "honest_average": "consider_filter",
-    "window_needed": "adaptive",
-    "mixture_cov": "adaptive",
-    "one_step_back": "smoothing",
-    "step_back": "smoothing",
-    "count_once": "smoothing",
-    "half_missing": "let_the_data_choose",
-    "milliseconds_for_seconds": "your_data",
-    "interval_of_R": "your_data",
-    "clock": "your_data",
-    "variance_at_rest": "your_data",
-    "behind": "history",
-    "mended": "history",
-}
-TABLES = FOUNDATIONS | FILTERS | DATA
 RIGHT = [("voltmeter.best_error", value) for value in (1.41, 1.414, 1.4142, 2**0.5)] + [
     ("voltmeter.second_gain", 0.357),
     ("temperature_and_free_fall.suspect", "gravity too large"),
@@ -199,13 +140,6 @@ ANSWERS = [
 ]  # fmt: skip
 
 
-def rows_of(tables):
-    """The exercise, the label and the sentence of each wrong answer."""
-    for name, table in tables.items():
-        for label, (_, words, *_) in table.items():
-            yield pytest.param(f"{LESSONS[name]}.{name}", label, words, id=f"{name}: {label}")
-
-
 @pytest.mark.parametrize(("name", "answer"), RIGHT)
 def test_right(name, answer):
     assert_right(name, answer)
@@ -213,12 +147,6 @@ def test_right(name, answer):
 
 @pytest.mark.parametrize(("name", "answer", "words"), ANSWERS)
 def test_own_sentence(name, answer, words):
-    assert_told(name, answer, words)
-
-
-@pytest.mark.parametrize(("name", "label", "words"), list(rows_of(TABLES)))
-def test_each_row_of_the_tables_is_in_its_exercise(name, label, words):
-    answer, _ = asked(name).wrong[label]
     assert_told(name, answer, words)
 
 
