@@ -184,10 +184,6 @@ WRONG_STEPS = {
 }
 
 
-def gain(P, H, R):
-    return P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
-
-
 def corrected(x, P, z, H, R, K=None):
-    K = gain(P, H, R) if K is None else K
+    K = gain_of(P, H, R) if K is None else K
     return x + K @ (z - H @ x), P - K @ H @ P
