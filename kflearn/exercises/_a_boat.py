@@ -3,6 +3,7 @@
 import numpy as np
 
 from kflearn import Gaussian, boats, nearest_filter, pda_filter, scan_targets, simulate
+from kflearn.exercises._results import shape_of, unlike
 
 STEPS, DETECTION = 60, 0.9
 LOST = 40.0  # m
@@ -24,10 +25,9 @@ def recording(rng):
 
 def places(answer, truth):
     """A form: a position (60, 2) for each scan."""
-    shape = np.shape(answer)
-    if shape == (STEPS, 4):
+    if shape_of(answer) == (STEPS, 4):
         return "holds whole states, x, v_x, y, v_y: the positions alone are wanted, columns 0 and 2"
-    return None if shape == truth.shape else f"should be of shape {truth.shape}, but is {shape}"
+    return unlike(answer, truth.shape)
 
 
 def off(answer, truth):

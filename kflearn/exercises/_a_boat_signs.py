@@ -81,10 +81,13 @@ def takes_the_nearest(answer, answers, recordings):
 # ---- what a tracker does with a boat that goes straight on
 
 
-def course(answer, *last, before=(0.0,)):
-    """The last position for such a boat, if the last scan holds readings so far east of it, and the one before it others."""
+def course(answer, *last, before=(0.0,), rows=2):
+    """The last position for such a boat, if the last scan holds readings so far east of it, and the one before it others.
+
+    rows: in each scan; those without a reading are NaN.
+    """
     track = np.stack([SPEED * np.arange(1, STEPS + 1), np.zeros(STEPS)], axis=1)
-    z = np.full((STEPS, 2, 2), np.nan)
+    z = np.full((STEPS, rows, 2), np.nan)
     z[:-2, 0] = track[:-2]
     for k, readings in ((-2, before), (-1, last)):
         for row, off in enumerate(readings):
@@ -122,6 +125,17 @@ def no_gate(answer, answers, recordings):
     return (
         f"Without any other reading in a scan, one that is 200 m from where the boat must be moves your boat by {way:.0f} m. Such a reading is false: "
         "it is outside every gate, and “none of them is the boat's” has a weight too."
+    )
+
+
+def blind(answer, answers, recordings):
+    """No reading counts in a scan with a row of NaN."""
+    single = course(answer, 6.0, rows=1)[0] - course(answer, 0.0, rows=1)[0]
+    if abs(pulled(answer, 6.0)) > 0.01 or single < 0.5:
+        return None
+    return (
+        f"A reading that is the only row of its scan and 6 m off moves your boat by {single:.2g} m. With a row of NaN beside it the boat does "
+        "not move. A row of NaN is no reading, and what `argmin`, `min` or `sum` make of it is no number: leave these rows out first."
     )
 
 
@@ -189,6 +203,7 @@ SIGNS = (
     small_gate,
     start_of,
     no_gate,
+    blind,
     alone,
     stiff,
     compared,

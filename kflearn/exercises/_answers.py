@@ -9,7 +9,7 @@ import textwrap
 
 import numpy as np
 
-from kflearn.exercises._words import plain, without_names
+from kflearn.exercises._words import of_text, plain, without_names
 
 ENTRIES_SHOWN = 12  # a larger array is named by its shape
 
@@ -132,7 +132,7 @@ def _numbers(answer, right):
     """The answer as an array of the form of `right`; a Misfit says what it is instead."""
     kind = type(answer).__name__
     if answer is None or isinstance(answer, (str, bytes)):
-        raise Misfit("None" if answer is None else f"text (of type {kind}): {_of_text(answer, right)}")
+        raise Misfit("None" if answer is None else f"text (of type {kind}): {of_text(answer, right)}")
     if callable(answer):
         raise Misfit("a function: call it and hand in what it returns")
     if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
@@ -141,6 +141,9 @@ def _numbers(answer, right):
         array = np.asarray(answer)
     except ValueError:
         raise Misfit(f"of type {kind}, and its parts differ in shape") from None
+    empty = [list(at) for at in np.ndindex(array.shape) if array.dtype == object and array[at] is None]
+    if empty:
+        raise Misfit(f"None at {empty[0]}" + ("; NaN is `np.nan`" if np.isnan(right).any() else ""))
     if array.dtype == object:  # fractions, decimals, very long integers; or no numbers at all
         try:
             array = array.astype(float)
@@ -152,25 +155,14 @@ def _numbers(answer, right):
         holding = f", holding {array.dtype.type.__name__.strip('_')}" if array.ndim else ""
         raise Misfit(f"of type {kind}{holding}")
     if array.shape != right.shape and not array.size == right.size == 1:
-        raise Misfit(_form(array.shape))
+        several = isinstance(answer, tuple) and array.ndim > 1
+        raise Misfit(f"a tuple of {len(answer)} items" if several else _form(array.shape))
     array = array.reshape(right.shape).astype(complex if right.dtype.kind == "c" else float)
     strange = np.argwhere(~np.isfinite(array) & np.isfinite(right))
     if len(strange):
         at = tuple(strange[0].tolist())
         raise Misfit(f"{show(array[at])}" if not at else f"{show(array[at])} at {list(at)}")
     return array
-
-
-def _of_text(answer, right):
-    """What to do with a text that is handed in for a number, or for True or False."""
-    words = answer if isinstance(answer, str) else ""
-    if right.dtype == bool:
-        return "write True or False, without quotation marks"
-    if not right.ndim and re.fullmatch(r" *[+-]?\d+,\d+ *", words):
-        return "leave out the quotation marks, and write a point in place of the comma"
-    if re.fullmatch(r"[\d\s.,e+()\[\]*/-]*", words):
-        return "leave out the quotation marks"
-    return "write it without quotation marks, words and units"
 
 
 def _close(given, right, rtol, atol=None):

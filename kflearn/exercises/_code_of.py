@@ -39,6 +39,15 @@ def nothing(function) -> str:
     return "Your function returns nothing yet. If it is written, is its `return` missing?"
 
 
+def nothing_for(results, trials) -> str:
+    """What is said of a function that has returned None in some of the trials, which are given in words."""
+    nothing = [inputs for result, inputs in zip(results, trials, strict=True) if result is None]
+    return (
+        f"In {len(nothing)} of {len(trials)} trials your function returns nothing, for example for `{nothing[0]}`: on that "
+        "way through it a `return` is missing."
+    )
+
+
 def _all(code):
     """A function's code, and that of the functions and loops inside it."""
     yield code

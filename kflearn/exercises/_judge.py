@@ -12,14 +12,13 @@ from kflearn.exercises._answers import show, unfinished
 from kflearn.exercises._kinds import Exercise
 from kflearn.exercises._messages import Outcome
 from kflearn.exercises._raised import arity_fault, told
-from kflearn.exercises._results import first_endless, of_gaps, of_rows, pair, singular
+from kflearn.exercises._results import first_endless, of_gaps, of_rows, pair, shape_of, singular, unlike, unusual
 from kflearn.exercises._watch import TooLong, in_time
 
 RECORDINGS = 20  # on which a filter is judged
 LIKELY = (
     "The check sees only the results, and they do not show the cause: what stands behind a ✗ are the likeliest ones."
 )
-DICTIONARY = "is a dictionary: return the values one after the other, without names"
 
 
 class Likely(str):
@@ -130,7 +129,7 @@ class OpenExercise(Exercise):
                 return Outcome(*self._raised(error, answer, inputs, answers))
             if unfinished(answers[-1]):
                 return Outcome("not attempted", "Your function returns nothing yet. Is its `return` missing?")
-            if complaint := (isinstance(answers[-1], dict) and DICTIONARY) or self.form(answers[-1], truth):
+            if complaint := unusual(answers[-1]) or self.form(answers[-1], truth):
                 return Outcome("wrong", f"For recording {number + 1} the result {complaint}.")
             if number == 0:
                 printed.close_after_first(len(self.recordings))
@@ -206,7 +205,7 @@ def track(states, names="mean and covariance"):
 
     def form(answer, truth):
         T = len(truth)
-        if _shape(answer) == (T, states):
+        if shape_of(answer) == (T, states):
             return "holds the means only, and the covariance is missing: return means and covariances"
         try:
             mean, cov = pair(answer)
@@ -223,17 +222,9 @@ def track(states, names="mean and covariance"):
     return form
 
 
-def _shape(answer):
-    """The shape of an array of numbers, or of lists that make one; else None."""
-    try:
-        return np.asarray(answer, float).shape
-    except (TypeError, ValueError):
-        return None
-
-
 def series(answer, truth):
     """A form: one number for each reading."""
-    return None if np.shape(answer) == np.shape(truth) else f"should be {np.shape(truth)}, but is {np.shape(answer)}"
+    return unlike(answer, np.shape(truth))
 
 
 # ---- numbers that a judge looks at

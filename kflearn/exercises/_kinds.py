@@ -244,6 +244,8 @@ class FunctionExercise(Exercise):
                 printed.close_after_first(len(self.cases))
         if all(map(unfinished, results)):
             return Outcome("not attempted", _code_of.nothing(answer))
+        if any(result is None for result in results) and not self._lesson(answer, results):
+            return Outcome("wrong", _code_of.nothing_for(results, list(map(self._called, self.cases))))
         rights = [self._solve(*copy.deepcopy(case)) for case in self.cases]
         faults = [self._compare(*pair, reveal=True) for pair in zip(results, rights, strict=True)]
         if not any(faults):
@@ -274,7 +276,8 @@ class FunctionExercise(Exercise):
         case, number = self.cases[len(results)], len(results)
         alike = [label for label, (wrong, _) in self.wrong.items() if _rules.raises(wrong, case, type(error))]
         sure = {self.wrong[label][1] for label in alike if label in self.only_if}
-        found = [sentence for sentence in self._lessons(answer, results) if number >= 3 or sentence in sure]
+        same = {self.wrong[label][1] for label in alike} if number else sure  # they fail at the same size
+        found = [sentence for sentence in self._lessons(answer, results) if number >= 3 or sentence in sure | same]
         rights = [self._solve(*copy.deepcopy(each)) for each in self.cases[:number]]
         differs = any(self._compare(*pair) for pair in zip(results, rights, strict=True))
         return found[0] if len(set(found)) == 1 and (differs or found[0] in sure) else None

@@ -11,6 +11,34 @@ def pair(answer):
     return np.asarray(mean, float), np.asarray(cov, float)
 
 
+def unusual(answer):
+    """What is said of a dictionary or of complex numbers; None of anything else."""
+    if isinstance(answer, dict):
+        return "is a dictionary: return the values one after the other, without names"
+    rows = answer if isinstance(answer, (tuple, list)) else [answer]
+    numbers = [row for row in rows if isinstance(row, (complex, np.ndarray, np.generic))]
+    return "holds complex numbers: real ones are wanted" if any(map(np.iscomplexobj, numbers)) else None
+
+
+def shape_of(answer):
+    """The shape of an array of numbers, or of lists that make one; else None."""
+    try:
+        return np.asarray(answer, float).shape
+    except (TypeError, ValueError):
+        return None
+
+
+def unlike(answer, shape):
+    """What is said of a result that is not one array of this shape; None of one that is."""
+    if isinstance(answer, tuple) and len(answer) != shape[0]:
+        return f"is a tuple of {len(answer)} items: one array of shape {shape} is wanted"
+    try:
+        found = np.shape(answer)
+    except ValueError:
+        return f"is a list of rows of different lengths: an array of shape {shape} is wanted"
+    return None if found == shape else f"should be of shape {shape}, but is {found}"
+
+
 def of_rows(answer, T, states):
     """What is said of a result that is not two arrays, such as a list with a pair for each reading."""
     wanted = f"two arrays are wanted, the means {(T, states)} and the covariances {(T, states, states)}"

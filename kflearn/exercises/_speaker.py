@@ -13,13 +13,20 @@ HABITS = bearings.VARIANTS["crossing"]
 
 
 def recording(rng):
-    """Readings (325,) of a speaker who walks across north; in half of them somebody else takes over."""
+    """Readings (325,) of a speaker who walks across north; in half of them somebody else takes over.
+
+    Where nobody does, a long echo begins just after the speaker has passed north: a filter that has lost its way there
+    follows the echo.
+    """
     truth, z = bearings.recording(HABITS._replace(drift=0.15 * rng.choice([-1, 1])), STEPS, rng)
     turn, moment = rng.choice([-1, 1]) * rng.uniform(70, 150) * (rng.random() < 0.5), rng.integers(150, 180)
     truth[moment:] += turn
     z[moment:] = bearings.nearest(z[moment:] + turn)
     _quiet(z, truth, moment - 16, moment + 16)
-    for begin in (0, rng.integers(55, 90), rng.integers(240, 280)):
+    early, late = rng.integers(55, 90), rng.integers(240, 280)
+    left = bearings.nearest(truth) > 180
+    crossed = np.flatnonzero(left == left[0])[-1] + 5
+    for begin in (0, early if turn or crossed > 225 else crossed, late):
         end = begin + (rng.integers(3, 6) if begin == 0 else rng.integers(11, LONGEST + 1))
         _quiet(z, truth, begin - 16, end + 16)
         z[begin:end] = bearings.nearest(truth[begin] + rng.choice([-1, 1]) * rng.uniform(50, 120))
@@ -199,11 +206,30 @@ def outvoted(answer, answers, recordings):
 
 
 def sorts_raw(answer, answers, recordings):
-    """A median of bearings as plain numbers: there 120 is in the middle of 1, 2, 120, 358, 359."""
-    sorts = re.search(r"median(_filter)?\(", _code_of.text_of(answer) or "")
+    """A running median of bearings as plain numbers: there 120 is in the middle of 1, 2, 120, 358, 359."""
+    text = re.sub(r"median\(\w+\[: *\w+\]\)", "", _code_of.text_of(answer) or "")  # without that of a start
+    sorts = re.search(r"median(_filter)?\(", text)
     if sorts and leads_to(answer, [359, 1, 120, 358, 2], 120, 5):
         return f"You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. {BEGINNING}"
     return None
+
+
+def turned(answer, answers, recordings):
+    """A filter that answers otherwise if all is turned: somewhere a bearing is taken for a plain number."""
+    if of_the_readings(answers, recordings):
+        return None
+    rows = [
+        abs(angle_difference(np.asarray(a, float), truth)) for a, (_, truth) in zip(answers, recordings, strict=True)
+    ]
+    worst = int(np.argmax([row.mean() for row in rows]))
+    ((z,), truth), quarter = recordings[worst], 90
+    error = abs(angle_difference(np.asarray(answer((z + quarter) % 360), float) - quarter, truth))
+    if 2 * error.mean() > rows[worst].mean():
+        return None
+    return (
+        f"In recording {worst + 1} your error is {rows[worst].mean():.0f}° on average; with all readings turned by 90° it is "
+        f"{error.mean():.2g}°. North is an ordinary bearing: take every difference, mean and median the short way round."
+    )
 
 
 # ---- designs

@@ -6,7 +6,10 @@ GOOD, BAD, SETTLED = 1.0, 16.0, 45  # R in m², and the steps after which a filt
 
 
 def unknown_sensor(rng):
-    """200 readings of a cart, some missing; F, Q and the start; and the truth with R in its third column."""
+    """200 readings of a cart, some missing; F, Q and the start.
+
+    The truth has R in its third column, and in its fourth 1 where there is a reading. Most gaps come late.
+    """
     T, dt, q = 200, rng.integers(1, 4) / 4, rng.integers(1, 5) / 4
     F = np.array([[1, dt], [0, 1]])
     Q = q * np.array([[dt**3 / 3, dt**2 / 2], [dt**2 / 2, dt]])
@@ -18,8 +21,9 @@ def unknown_sensor(rng):
     first, second = (GOOD, BAD) if rng.random() < 0.5 else (BAD, GOOD)
     R = np.where(np.arange(T) < rng.integers(62, 78), first, second)
     z = np.array(states)[:, 0] + np.sqrt(R) * rng.standard_normal(T)
-    z[rng.choice(np.arange(3, T), 10, replace=False)] = np.nan
-    return (z, F, Q, mean, cov), np.column_stack([states, R])
+    missing = rng.choice(np.arange(3, T), 10, replace=False)
+    z[np.append(missing[:4], 120 + 0.4 * missing[4:]).astype(int)] = np.nan
+    return (z, F, Q, mean, cov), np.column_stack([states, R, np.isfinite(z)])
 
 
 def settled(R, level):

@@ -73,13 +73,18 @@ def restless(R, recordings):
     )
 
 
-def honest(level):
-    """The mean NEES / 2 where R has a value, of all recordings together."""
+def judged_at(truth, level, read=1):
+    """The steps that are judged: R has a value, and there is a reading, or none."""
+    return settled(truth[:, 2], level) & (truth[:, 3] == read)
+
+
+def honest(*levels, read=1):
+    """The mean NEES / 2 where R has one of these values and there is a reading, or none, of all recordings together."""
 
     def value(answers, truths):
         found = []
         for answer, truth in zip(answers, truths, strict=True):
-            (mean, cov), at = pair(answer), settled(truth[:, 2], level)
+            (mean, cov), at = pair(answer), np.any([judged_at(truth, level, read) for level in levels], axis=0)
             error = (truth[:, :2] - mean)[at]
             found.append(np.sum(error * np.linalg.solve(cov[at], error[..., None])[..., 0], axis=-1))
         return np.mean(np.concatenate(found)) / 2
@@ -91,7 +96,7 @@ def off(level):
     """The rms error of the position where R has a value."""
 
     def value(answers, truths):
-        at = [settled(truth[:, 2], level) for truth in truths]
+        at = [judged_at(truth, level) for truth in truths]
         errors = [(pair(a)[0] - t[:, :2])[w, 0] for a, t, w in zip(answers, truths, at, strict=True)]
         return np.sqrt(np.mean(np.concatenate(errors) ** 2))
 
@@ -123,7 +128,7 @@ MARKS = [
     Mark(
         "error of the position where R became 1 m² (rms)",
         off(GOOD),
-        high=1.0,
+        high=0.95,
         unit="m",
         above=likely(
             ("Does R̂ come down again after the bad stretch?", comes_down),
@@ -133,7 +138,7 @@ MARKS = [
     Mark(
         "error of the position where R became 16 m² (rms)",
         off(BAD),
-        high=2.58,
+        high=2.45,
         unit="m",
         above=likely(
             ("How many readings does it take until R̂ is near 16 m²?", goes_up),
@@ -172,6 +177,16 @@ MARKS = [
             ("Does R̂ follow the sensor, and is HP⁻Hᵀ taken off C only once?", goes_up),
             ("Is the window long?", steady),
             P_ITSELF,
+        ),
+    ),
+    Mark(
+        "NEES / 2 where R became 1 m², without a reading",
+        honest(GOOD, read=0),
+        low=0.6,
+        high=1.6,
+        below="Without a reading your P is too large for the errors.",
+        above=likely(
+            "Without a reading the claimed σ is too small for the errors: P becomes F P Fᵀ + Q there, and is not corrected."
         ),
     ),
 ]

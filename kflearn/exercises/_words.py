@@ -39,6 +39,8 @@ def plain(text, choices) -> str:
 
 def not_there(answer, choices) -> str:
     """What is said before the list of choices, where the answer is a word or a number that is none of them."""
+    if all(len(choice) == 1 and choice.isalpha() for choice in choices):
+        return "" if isinstance(answer, str) and len(answer.strip()) < 3 else "a letter is wanted, in quotation marks: "
     words = all(len(choice) > 1 for choice in choices - {"true"})
     if isinstance(answer, str):
         text = " ".join(answer.split())
@@ -99,6 +101,18 @@ def alone(answer, right, as_text=False) -> str:
         return ""
     form = 'one text, such as "XY"' if as_text else 'a set, such as {"X", "Y"}'
     return f"Your answer is the letter {letter} alone; several are handed in as {form} (`and` leaves only the last). "
+
+
+def of_text(answer, right):
+    """What to do with a text that is handed in for a number, or for True or False."""
+    words = answer if isinstance(answer, str) else ""
+    if right.dtype == bool:
+        return "write True or False, without quotation marks"
+    if not right.ndim and re.fullmatch(r" *[+-]?\d+,\d+ *", words):
+        return "leave out the quotation marks, and write a point in place of the comma"
+    if re.fullmatch(r"[\d\s.,e+()\[\]*/-]*", words):
+        return "leave out the quotation marks"
+    return "write it without quotation marks, words and units"
 
 
 def without_names(right) -> str:

@@ -16,6 +16,7 @@ from kflearn.exercises._speaker import (
     outvoted,
     recording,
     sorts_raw,
+    turned,
 )
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import Mark, exercise, judged
@@ -177,12 +178,11 @@ def gated_step(x, P, reading, Q, R):
             unit="°",
         ),
     ],
-    signs=[sorts_raw, averages_raw, outvoted],
+    signs=[sorts_raw, averages_raw, outvoted, turned],
     form=series,
     passing=PASSING,
     failing=FAILING,
-    then="A filter that knows the readings so far finds a new speaker with his 15th reading at best: until it ends, an echo looks "
-    "like a new speaker. A design that looks at later readings, as a smoother does (lesson 23), is not late.",
+    then="A filter that goes by how long an echo lasts finds a new speaker with his 15th reading at best. A design that looks at later readings, as a smoother does (lesson 23), is not late.",
 )
 def speaker(z):
     """Write a filter `(z) → bearings` that follows a speaker among echoes, to 3° and better.

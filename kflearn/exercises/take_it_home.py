@@ -48,7 +48,7 @@ def with_the_constant():
     ],
     inputs=half_readings(),
     wrong=slips.use_what_is_there.WRONG,
-    then="This holds for every R. Rows of zeros, and one number after another, need a diagonal one.",
+    then="This holds for every R. Rows of zeros in H beside a whole R, and one number after another, need a diagonal R.",
 )
 def use_what_is_there(x, P, z, H, R):
     """Correct a belief x (n,), P (n, n) with the numbers of z (m,) that are not NaN."""

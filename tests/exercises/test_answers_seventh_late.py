@@ -190,6 +190,6 @@ def whole_mean(z, F, Q, mean, cov):
 
 def test_a_time_beyond_the_end_of_the_recordings_is_no_number_of_readings():
     assert_told(
-        "adaptive.unknown_sensor", whole_mean, "does not get mostly below 3 m² within the recording (122 readings)"
+        "adaptive.unknown_sensor", whole_mean, "does not get mostly below 3 m² within the recording (121 readings)"
     )
     assert _unknown_sensor_signs.takes(50.0, "below 3 m²", [], []).startswith("it takes 50 readings (median)")

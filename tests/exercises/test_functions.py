@@ -124,7 +124,7 @@ CALLED = [
     (correct, lambda *inputs: Hostile(), "wrong", "The result cannot be read as numbers."),
     (correct, yields, "wrong", "the result should hold 2 values (value 1, value 2), not one of type generator."),
     (correct, waits, "wrong", "not one of type coroutine."),
-    (correct, sometimes, "wrong", "not one of type NoneType."),
+    (correct, sometimes, "wrong", "your function returns nothing, for example for"),
     (correct, lambda x, P, z, R: (x, "P"), "wrong", "` value 1 of the result is"),
     (spread, lambda F, P: -F @ P @ F.T, "wrong", "✗ Not yet. The result has the opposite sign."),
     (

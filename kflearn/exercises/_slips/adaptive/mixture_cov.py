@@ -171,4 +171,8 @@ WRONG = {
         "Each covariance counts with the square of its weight in your result. Squares belong to a weighted mean of independent estimates. Here "
         "one of the models holds, the i-th with probability pᵢ: its Pᵢ counts with pᵢ.",
     ),
+    "about the most probable": (
+        lambda p, means, covs: mixed(p, means, covs, centre=means[np.argmax(p)]),
+        "You take the spread about the mean of the most probable filter. It is taken about the joint mean, Σ pᵢ xᵢ.",
+    ),
 }

@@ -7,6 +7,8 @@ NOISY = heard(
         r"^0?\.8\d*$|corr|neighb": "You read the right number. What makes neighbours alike by 0.85, white noise or a board that turns? Hand in the letter.",
         r"^d$|none|neither": "One of the three is right: hand in A, B or C, and look at the correlation of neighbours.",
         r"turn|mov|board": "The motion of the board: which letter is that?",
+        r"^\d{3}": "That is R̂ of the stretch. What made it so large, a noisier sensor or a board that was turned? Hand in the letter.",
+        r"^(true|yes|no|false)$": "Three answers are offered, A, B and C. What makes neighbours alike by 0.85, white noise or a board that turns? Hand in the letter.",
     }
 )
 

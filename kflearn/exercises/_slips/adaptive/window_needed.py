@@ -96,4 +96,12 @@ WRONG = {
     "root of N": (13 * 2**0.5, "That is √N. In S √(2/N) the N stands under the root: square it."),
     "0.3 squared": (238, "238 is right for S = 1 + 0.3². HP⁻Hᵀ is a variance already: S = 1 + 0.3."),
     "of a σ": (85, "S/√(2N) is the scatter of a standard deviation. R̂ is a variance: S √(2/N)."),
+    "±2σ": (
+        1352,
+        "1352 innovations bring *twice* the standard deviation to 0.1 m². The question asks for the standard deviation itself.",
+    ),
+    "HP⁻Hᵀ taken off": (
+        22,
+        "22 is right for 0.1 + 0.3 = 0.4 m². What is taken off C is known, and takes nothing off its scatter: S √(2/N) = 0.1 m².",
+    ),
 }

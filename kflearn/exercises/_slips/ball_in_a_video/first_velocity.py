@@ -51,7 +51,7 @@ WRONG = {
     ),
     "place alone": (
         lambda p, s, R, y: p / (p + R) * y,
-        "That is the gain of the place without any prediction. The velocity's share is the corner of F P Fᵀ, "
+        "That is the gain of the place without any prediction, and also what Fᵀ P F makes. Write F P Fᵀ. The velocity's share is the corner of F P Fᵀ, "
         "which is s, over S = p + s + R.",
     ),
     "twice s in S": (

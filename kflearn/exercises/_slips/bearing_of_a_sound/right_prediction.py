@@ -205,5 +205,9 @@ WRONG = (
             "Three entries are right. In the upper left dt²·P₁₁ counts three times, as if the corners had been "
             "overwritten before they are used there. It counts once: use the old corners.",
         ),
+        "lower left like the upper right": (
+            lambda P, Q, dt: Q + np.array([[P[0, 0] + dt * P[1, 0], P[0, 1] + P[1, 1]], [P[1, 0] + P[1, 1], P[1, 1]]]),
+            "Each corner gets P₁₁ · dt, and yours get P₁₁ without dt. Upper left dt · P₀₁ and dt² · P₁₁ are missing. Multiply F P Fᵀ out, with F = [[1, dt], [0, 1]].",
+        ),
     }
 )

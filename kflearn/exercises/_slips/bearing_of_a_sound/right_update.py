@@ -133,4 +133,8 @@ WRONG = {
         "You shrink the diagonal only, and P₁₁ by 1 − K₁. Every entry of the row i loses K_i times the first row of P: the last "
         "one becomes P₁₁ − K₁·P₀₁.",
     ),
+    "1 − K₀ in the second column": (
+        lambda P, K: P * np.array([[1 - K[0], 1 - K[0]], [1 - K[1], 1 - K[0]]]),
+        "Your first row is right. The second is P[1] − K[1] · P[0]: what is taken off is made of the *first* row of P.",
+    ),
 }

@@ -6,6 +6,7 @@ REVIEW = heard(
     {
         r"root|sqrt|line 2": "That is reviewer (a): answer with the letter. But look whether a bearing's slope needs the distance or its square.",
         r"sign|minus|line 3": "That is reviewer (b), or (c) for the zeros: answer with the letter. But try a target due east that moves north.",
+        r"^(none|nobody|no one|neither)": "One of the four is right: A, B and C criticise, D says that nothing is wrong. Hand in the letter.",
     }
 )
 

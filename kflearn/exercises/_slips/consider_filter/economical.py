@@ -161,5 +161,9 @@ WRONG = (
             whole,
             "Your whole matrix is right. Cut it into its blocks and return these: with n = len(P) they are `big[:n, :n]`, `big[:n, n:]` and `big[n:, n:]`.",
         ),
+        "B kept": (
+            lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C, B),
+            "P and C are right. B is kept as it was. A considered bias is not *estimated*, but it fades and is renewed: fading² · B + q.",
+        ),
     }
 )

@@ -99,7 +99,7 @@ WRONG = {
     ),
     "of the picture": (
         (4.4, 9.9),
-        "The mean is right. 9.9 is the σ of the belief in the opening picture, which is another belief. Work it out for "
+        "The mean is right. 9.9 is the σ of the playground's belief at first, which is another belief. Work it out for "
         "N(11, 1) and N(−11, 1).",
     ),
 }

@@ -6,6 +6,7 @@ WINNER = heard(
     {
         r"median": "Asked is the rms error over all runs. In it the bad runs count, which a median run hides.",
         r"ukf|unscented": "The unscented filter is not one of the two: compared are the LKF and the EKF.",
+        r"^best$": "That is the filter with its tangents at the truth, which nobody can build. Compared are the LKF and the EKF.",
     }
 )
 

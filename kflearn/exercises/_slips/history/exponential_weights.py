@@ -130,4 +130,8 @@ WRONG = {
         "Each of your weights has one factor 1 − K too many, so their sum is 1 − K: the powers begin at 1. The newest reading has the power 0, "
         "which leaves K.",
     ),
+    "two numbers at least": (
+        lambda K, n: np.array([*(K * (1 - K) ** np.arange(max(n - 1, 1))), (1 - K) ** max(n - 1, 1)]),
+        "Right for two readings and more. For n = 1 you return two weights: a single reading has the whole weight, [1].",
+    ),
 }

@@ -9,6 +9,7 @@ PUSH = heard(
         r"(little|bit|slight|somewhat)": f"Not even a little: {PUSHED}",
         r"twice|double|half|times": f"By no factor: {PUSHED}",
         r"turn|straight|depends|both": f"It does not depend on turns: {PUSHED}",
+        r"small|less": "One might expect a smaller error. But G enters only by Q = G q Gᵀ, and for this model q = 0: Q is zero with any G.",
     }
 )
 

@@ -112,4 +112,8 @@ WRONG = {
     "σ of the mean variance": (one_sigma(lambda variances: np.sqrt(np.mean(variances))), ONE_SIGMA),
     "mean σ": (one_sigma(lambda variances: np.mean(np.sqrt(variances))), ONE_SIGMA),
     "largest σ": (one_sigma(lambda variances: np.sqrt(np.max(variances))), ONE_SIGMA),
+    "a diagonal matrix": (
+        lambda mean, variances, normal: mean + np.diag(np.sqrt(variances)) * normal,
+        "`np.diag(…) * normal` multiplies entry by entry and leaves a matrix. Multiply the deviations themselves by `normal`, or the matrix by `@`.",
+    ),
 }

@@ -102,4 +102,9 @@ WRONG = {
         "It answers as if straight lines filled the gaps, and counted as readings. A missing reading counts "
         "nothing: leave it out.",
     ),
+    "NaN taken out of y alone": (
+        lambda y, S: -0.5 * np.sum(np.log(2 * np.pi * S) + y[~np.isnan(y)] ** 2 / S),
+        "The NaN are taken out of y, and S keeps all its entries: the lengths differ. Take the same places out of both.",
+        r"isnan",
+    ),
 }

@@ -80,7 +80,7 @@ WRONG = {
     ),
     "curve at x": (
         lambda x, P, reading, nominal: corrected(x, P, reading - off(x), nominal / off(nominal)),
-        "The slope is right. But what is expected comes from the curve at x; read it off the straight line. Mixed like this, some tracks of the range scene run away.",
+        "The slope is right. But what is expected comes from the curve at x; read it off the straight line.",
     ),
     "slope at x": (
         lambda x, P, reading, nominal: corrected(x, P, reading - off(nominal) - x / off(x) * (x - nominal), x / off(x)),

@@ -10,7 +10,7 @@ WRONG = {
     ),
     "without the 2, not rooted": (
         800,
-        "800 is 2 · 400. From σ²/(2 · 400 m) = 2 m follows σ² = 2 · 400 m · 2 m, and σ is the root of that.",
+        "800 is 2 · 400, or √(2 · 400² · 2), which a sag of σ²/(2d²) would need. The sag is a length: it is σ²/(2 · 400 m) = 2 m, so σ² = 2 · 400 m · 2 m, and σ is the root of that.",
     ),
     "variance of the reading": (
         math.sqrt(3200),
@@ -55,4 +55,5 @@ WRONG = {
         40000,
         "40000 is 400²/(2 · 2), as if 400 m were σ. It is the distance d, and σ is unknown: σ²/(2 · 400 m) = 2 m.",
     ),
+    "from −σ to +σ": (80, "80 m is the width from −σ to +σ. Asked is σ itself."),
 }

@@ -135,4 +135,8 @@ WRONG = {
         lambda T, sigma: sigma * table(T**3 / 3, T**2 / 2, T**2 / 2, T),
         "That is the white Q, with σ for σ². Here the acceleration is held for T: σ² G Gᵀ.",
     ),
+    "half not squared": (
+        lambda T, sigma: sigma**2 * np.array([[T**4 / 2, T**3 / 2], [T**3 / 2, T**2]]),
+        "Upper left stands T⁴/2. It is the square of T²/2, and the half is squared too: T⁴/4.",
+    ),
 }

@@ -7,6 +7,7 @@ GAP = heard(
         r"^-?0?\.03": "That is the difference in ppm. Divide the two errors: which letter says how large their ratio is?",
         r"^0?\.9": "The ratio is right. Which of A, B and C says so? Hand in the letter.",
         r"^none|neither": "One of the three is right. About two standard errors are a weak sign; but asked is what the two printed errors say. Divide them, and hand in A, B or C.",
+        r"^-?7": "About 7 % is the difference. Which of A, B and C says so? Hand in the letter.",
     }
 )
 

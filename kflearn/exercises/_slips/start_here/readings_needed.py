@@ -41,8 +41,14 @@ WRONG = (
             4096,
             "4,096 readings give 2/√4096 = 0.03 m: more than was asked for. 4,096 is 8⁴, and 8² is enough.",
         ),
-        "one too many": (65, "65 is more than needed: 0.25 m itself is allowed."),
-        "one too few": (63, "With 63 readings σ is 0.252 m: just not there yet."),
+        "one too many": (
+            65,
+            "65 is more than needed: 64 bring σ to 0.25 m exactly, and that is allowed. Below the root stands n itself; n − 1 belongs to a variance that is estimated from readings.",
+        ),
+        "one too few": (
+            63,
+            "With 63 readings σ is 0.252 m: one is missing. Or is 63 the place in an array that begins with n = 1? Places are counted from 0.",
+        ),
         "what is wanted": (0.25, "0.25 m is the σ that is wanted. How many readings bring it about?"),
         "ratio upside down": (
             0.125,

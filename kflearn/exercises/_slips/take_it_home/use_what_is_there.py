@@ -105,6 +105,14 @@ def gain_cut(x, P, z, H, R):
     return x + K @ (z[seen] - H[seen] @ x), P - K @ H[seen] @ P
 
 
+def first_number(x, P, z, H, R):
+    """The number 1 in place of the identity."""
+    seen = ~np.isnan(z)
+    H, R, z = H[seen], R[np.ix_(seen, seen)], z[seen]
+    K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+    return x + K @ (z - H @ x), (1 - K @ H) @ P
+
+
 WRONG = {
     "row dropped": (
         dropped,
@@ -163,5 +171,14 @@ WRONG = {
         gain_cut,
         "That is the gain of a whole reading, with the columns of the missing numbers left out. The weights of the others were made for a "
         "reading that is whole: cut H and R first, then calculate S and K.",
+    ),
+    "1 − K H": (
+        lambda x, P, z, H, R: first_number(x, P, z, H, R),
+        "The mean is right. In P you subtract K H from the number 1, so every entry of 1 − K H gets a 1. I is the identity matrix: np.eye(len(x)).",
+    ),
+    "rows of R alone": (
+        lambda x, P, z, H, R: P @ H[~np.isnan(z)].T @ np.linalg.inv(R[~np.isnan(z)]),
+        "Your R keeps its rows and not its columns, so S is not square. Both go: `R[np.ix_(seen, seen)]`, or `R[seen][:, seen]`.",
+        r"\bR\[[^\]:,]+\](?! *\[)",
     ),
 }

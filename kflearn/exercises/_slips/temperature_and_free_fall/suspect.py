@@ -11,6 +11,9 @@ SUSPECT = heard(
         r"(grav|\bg\b).*(small|low|weak)": f"Read as “g too small”: {G_SMALL[0].lower()}{G_SMALL[1:]}",
         r"^q\b|process": "A wrong Q changes the NIS, and leaves the innovations even on both sides. Here they are not: which of the four pushes them to one side?",
         r"nothing|none|chance": "One of the four is right. By chance the innovations would lie on both sides and average nearly zero. Here they average +1.5 m.",
+        r"^(g|the gravity|gravity)$": "It is g, one of the two halves of the answer. Where does a filter expect the stone if its g is too small, too high or too low?",
+        r"^(too )?(large|small)$": "What is too large, or too small, g or R? The innovations lie on one side of zero: which of the two can push them there?",
+        r"sign": "With the sign of g wrong the filter would expect the stone far too high, and the readings would lie below, with a minus sign. Something is too large or too small: which?",
     }
 )
 

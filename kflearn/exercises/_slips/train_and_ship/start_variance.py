@@ -135,4 +135,8 @@ WRONG = {
         lambda low, high, believed: (high - low) ** 2 / 12 + (low + high / 2 - believed) ** 2,
         "`low + high / 2` halves only high: the middle is `(low + high) / 2`.",
     ),
+    "the lesson's middle": (
+        lambda low, high, believed: (high - low) ** 2 / 12 + (10 - believed) ** 2,
+        "Your middle is 10, that of the lesson's trains. Here it is (low + high)/2.",
+    ),
 }

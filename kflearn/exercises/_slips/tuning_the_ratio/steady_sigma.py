@@ -109,4 +109,8 @@ WRONG = {
         "0.552 is √(P⁻ + R), the σ of the innovation: so far a reading is from its prediction. The filter claims "
         "√P for its estimate, after the reading.",
     ),
+    "both squared": (
+        0.05,
+        "0.05 °C is what Q = 0.01² and R = 0.25² make. 0.01 and 0.25 °C² are variances already: do not square them.",
+    ),
 }

@@ -172,4 +172,8 @@ WRONG = {
         "287.2 is what the weights of the covariance, Wc, make of the images: with β = 2 their sum is 3. A mean "
         "takes the weights Wm, whose sum is 1.",
     ),
+    "the rule for n = 2": (
+        lambda: 100 * (3 / 4 + np.cos(np.radians(60)) / 4),
+        "87.5 m is what the rule gives for n = 2, with a scale of 4. One number is uncertain, the angle: n = 1, and the scale is 3.",
+    ),
 }

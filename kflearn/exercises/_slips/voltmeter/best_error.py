@@ -35,7 +35,10 @@ WRONG = {
         1.63,
         "That is what the Kalman filter reaches; the formula that knows the right world gets better.",
     ),
-    "K times σ": (1.0, "1 V is half of a reading's σ. It is the variance that K cuts in half, not σ."),
+    "K times σ": (
+        1.0,
+        "1 V is half of a reading's σ: that part alone, K · 2 V, is left of the reading's error. The 12 V miss too, by (1 − K) · 2 V, and the squares add.",
+    ),
     "one variance": (4.0, "4 V² is the variance of each of the two. Together they are better than each alone."),
     "root of K": (
         lambda: math.sqrt(0.5),

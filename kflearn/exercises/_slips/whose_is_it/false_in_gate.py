@@ -122,4 +122,8 @@ WRONG = {
         AREA * 4 * 5e-4,
         "That is four times the right number, as from whole axes. In the area stand the half axes, √9.21 · 6 m and √9.21 · 5 m.",
     ),
+    "b without the detection": (
+        lambda: 0.0005 * 2 * np.pi * 30,
+        "0.0942 is λ 2π √det S, the b of the weights without its last factor. Asked is λ times the area of the gate, π · 9.21 · √det S.",
+    ),
 }
