@@ -141,8 +141,7 @@ def _numbers(answer, right):
         array = np.asarray(answer)
     except ValueError:
         raise Misfit(f"of type {kind}, and its parts differ in shape") from None
-    empty = [list(at) for at in np.ndindex(array.shape) if array.dtype == object and array[at] is None]
-    if empty:
+    if array.dtype == object and (empty := [list(at) for at in np.ndindex(array.shape) if array[at] is None]):
         raise Misfit(f"None at {empty[0]}" + ("; NaN is `np.nan`" if np.isnan(right).any() else ""))
     if array.dtype == object:  # fractions, decimals, very long integers; or no numbers at all
         try:

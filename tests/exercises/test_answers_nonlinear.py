@@ -122,7 +122,7 @@ ANSWERS = [
     ("bearings_only.review", "Nothing is wrong", "right", ""),
     ("bearings_only.review", "(d) Nothing is wrong.", "right", ""),
     ("bearings_only.review", "reviewer D", "right", ""),
-    ("bearings_only.review", "none of them", "wrong", "A letter is wanted"),
+    ("bearings_only.review", "none of them", "wrong", "One of the four is right"),
     ("bearings_only.twin_velocity", np.array([[0.0], [-4.0]]), "right", ""),
     ("bearings_only.twin_velocity", [[0, -4]], "right", ""),
     ("bearings_only.twin_velocity", (6, 4), "wrong", "minus the target's, doubled"),

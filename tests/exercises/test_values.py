@@ -148,7 +148,7 @@ SAID = [
     (fused_belief, [1, 2, 3], "Your answer should hold 2 values (the mean, the covariance), not 3."),
     (fused_belief, 7, "Your answer should hold 2 values (the mean, the covariance), not one of type int."),
     (fused_belief, Hostile(), "Your answer cannot be read as numbers."),
-    (larger_R, "d", "✗ Not yet. A letter is wanted, in quotation marks: choose from A, B, C."),
+    (larger_R, "d", "✗ Not yet. Choose from A, B, C."),
     (larger_R, ["a", "b"], "✗ Not yet. Choose one, please."),
     (larger_R, 3.5, "A letter is wanted, in quotation marks: choose from A, B, C."),
     (larger_R, np.nan, "A letter is wanted, in quotation marks: choose from A, B, C."),
