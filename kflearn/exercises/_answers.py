@@ -128,6 +128,22 @@ def _in_a_row(answer, right):
         return answer
 
 
+def _array(answer, misfit, with_nan):
+    """Numbers of any kind as an array: fractions, decimals and very long integers become floats."""
+    try:
+        array = np.asarray(answer)
+    except ValueError:
+        raise Misfit(f"{misfit}, and its parts differ in shape") from None
+    if array.dtype != object:
+        return array
+    if empty := [list(at) for at in np.ndindex(array.shape) if array[at] is None]:
+        raise Misfit(f"None at {empty[0]}" + ("; NaN is `np.nan`" if with_nan else ""))
+    try:
+        return array.astype(float)
+    except (TypeError, ValueError, OverflowError):
+        raise Misfit(misfit) from None
+
+
 def _numbers(answer, right):
     """The answer as an array of the form of `right`; a Misfit says what it is instead."""
     kind = type(answer).__name__
@@ -137,17 +153,7 @@ def _numbers(answer, right):
         raise Misfit("a function: call it and hand in what it returns")
     if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
         raise Misfit(f"a {kind} of {_count(len(answer), 'item')}")
-    try:
-        array = np.asarray(answer)
-    except ValueError:
-        raise Misfit(f"of type {kind}, and its parts differ in shape") from None
-    if array.dtype == object and (empty := [list(at) for at in np.ndindex(array.shape) if array[at] is None]):
-        raise Misfit(f"None at {empty[0]}" + ("; NaN is `np.nan`" if np.isnan(right).any() else ""))
-    if array.dtype == object:  # fractions, decimals, very long integers; or no numbers at all
-        try:
-            array = array.astype(float)
-        except (TypeError, ValueError, OverflowError):
-            raise Misfit(f"of type {kind}") from None
+    array = _array(answer, f"of type {kind}", np.isnan(right).any() if right.dtype.kind == "f" else False)
     if array.dtype.kind == "b" and array.ndim and right.dtype.kind in "iu" and np.isin(right, (0, 1)).all():
         array = array.astype(int)  # True and False for 1 and 0
     if array.dtype.kind not in "iuf" and array.dtype.kind != right.dtype.kind:

@@ -15,7 +15,8 @@ def assert_right(name, answer):
     assert outcome.status == "right", outcome.text
 
 
-def assert_told(name, answer, words):
-    """The answer does not pass, and the reply holds these words."""
+def assert_told(name, answer, words, not_said=None):
+    """The answer does not pass, and the reply holds these words, and not those."""
     outcome = asked(name).check(answer)
     assert outcome.status != "right" and words in outcome.text, outcome.text
+    assert not_said is None or not_said not in outcome.text, outcome.text

@@ -1,0 +1,30 @@
+"""Lesson 28: answers that were handed in by strangers, and what each must get."""
+
+import numpy as np
+import pytest
+
+from tests.exercises.hand_in import assert_told
+
+
+def rest_to_the_newest(K, n):
+    w = K * (1 - K) ** np.arange(n)
+    w[0] += 1 - w.sum()
+    return w
+
+
+TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("newest_ten", 0.7, "That leaves 0.3 to the readings older"),
+    ("behind", 2.0, "the reading leaves 1.792 s"),
+    ("behind", np.inf, "It does not grow for ever"),
+    ("undisturbed", {"A", "B", "C", "D"}, "B was told a large Q"),
+    ("exponential_weights", rest_to_the_newest, "the missing part went to the newest"),
+    ("behind", 1.3, "mean innovation"),
+    ("undisturbed", "A", 'several are handed in as a set, such as {"X", "Y"}'),
+    ("newest_ten", sum(0.15 * 0.85**j for j in range(1, 10)), "0.653 is the sum for j = 1 to 9"),
+    ("exponential_weights", lambda K, n: (1 - K) * K ** np.arange(n), "K and 1 − K are exchanged"),
+]
+
+
+@pytest.mark.parametrize(("name", "answer", "words"), TOLD)
+def test_told(name, answer, words):
+    assert_told(f"history.{name}", answer, words)

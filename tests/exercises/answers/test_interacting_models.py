@@ -1,0 +1,52 @@
+"""Lesson 18: answers that were handed in by strangers, and what each must get."""
+
+import numpy as np
+import pytest
+
+from tests.exercises.hand_in import assert_right, assert_told
+
+
+def two_seconds(stays, T):
+    T = 2
+    q = T / np.asarray(stays, float)
+    return np.diag(1 - q) + (1 - np.eye(len(stays))) * q[:, None] / (len(stays) - 1)
+
+
+def samples_for_runs(z, T):
+    speed = (z[:, 1] - z[:, 0]) / T
+    return z[0], np.stack([z[:, 1, 0], speed[:, 0], z[:, 1, 1], speed[:, 1]], axis=-1)
+
+
+def between_runs(z, T):
+    speed = np.diff(z[:, 1], axis=0, prepend=z[:1, 0]) / T
+    return z[:, 0], np.stack([z[:, 1, 0], speed[:, 0], z[:, 1, 1], speed[:, 1]], axis=-1)
+
+
+RIGHT = [
+    ("wrong_push", "no effect"),
+]
+
+
+TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("wrong_push", "twice as large", "By no factor", "among the choices"),
+    ("blended_sigma", 20, "wider than each of the two"),
+    ("blended_sigma", 56, "900 m² and 2236 m² more"),
+    ("wrong_push", "a little smaller", "Not even a little"),
+    ("wrong_push", "smaller in turns, larger on the straight", "does not depend on turns"),
+    ("blended_sigma", np.sqrt(4100), "3200 m² is the sum of the two squared distances"),
+    ("transition", two_seconds, "right for readings every 2 s"),
+    ("mended_start", samples_for_runs, "`z[0]` is run 1"),
+    ("wrong_push", "bigger", "Mending does no harm"),
+    ("mended_start", between_runs, "second reading of the run *before* is subtracted"),
+]
+
+
+@pytest.mark.parametrize(("name", "answer"), RIGHT)
+def test_right(name, answer):
+    assert_right(f"interacting_models.{name}", answer)
+
+
+@pytest.mark.parametrize("row", TOLD)
+def test_told(row):
+    name, answer, *words = row
+    assert_told(f"interacting_models.{name}", answer, *words)
