@@ -221,15 +221,15 @@ def turned(answer, answers, recordings):
     rows = [
         abs(angle_difference(np.asarray(a, float), truth)) for a, (_, truth) in zip(answers, recordings, strict=True)
     ]
-    worst = int(np.argmax([row.mean() for row in rows]))
-    ((z,), truth), quarter = recordings[worst], 90
-    error = abs(angle_difference(np.asarray(answer((z + quarter) % 360), float) - quarter, truth))
-    if 2 * error.mean() > rows[worst].mean():
-        return None
-    return (
-        f"In recording {worst + 1} your error is {rows[worst].mean():.0f}° on average; with all readings turned by 90° it is "
-        f"{error.mean():.2g}°. North is an ordinary bearing: take every difference, mean and median the short way round."
-    )
+    for k in np.argsort([-row.mean() for row in rows])[:4]:
+        (z,), truth = recordings[k]
+        error = abs(angle_difference(np.asarray(answer((z + 90) % 360), float) - 90, truth))
+        if 2 * error.mean() < rows[k].mean():
+            return (
+                f"In recording {k + 1} your error is {rows[k].mean():.2g}° on average; with all readings turned by 90° it is "
+                f"{error.mean():.2g}°. North is an ordinary bearing: take every difference, mean and median the short way round."
+            )
+    return None
 
 
 # ---- designs

@@ -122,6 +122,25 @@ def long_doubles(logs, likelihoods):
     return np.log(p / p.sum()).astype(float)
 
 
+def about_the_likeliest(p, means, covs):
+    x = means[np.argmax(p)]
+    y = means - x
+    return sum(w * (np.outer(d, d) + c) for w, d, c in zip(p, y, covs, strict=True))
+
+
+def zero_for_NaN(z, F, Q, mean, cov):
+    x, P, recent, means, covs = mean, cov, [], [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        recent.append(np.nan_to_num(reading - x[0]))
+        R = 1.0 if len(recent) < 30 else max(np.mean(np.square(recent[-30:])) - P[0, 0], 0.05)
+        K = P[:, 0] / (P[0, 0] + R)
+        x, P = x + K * recent[-1], P - np.outer(K, P[0])
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
+
+
 RIGHT = [
     ("unknown_sensor", learns(window=30, floor=0.3)),
     ("unknown_sensor", lambda *given: _unknown_sensor.learn(*given, window=25, floor=0.3)),
@@ -158,6 +177,12 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("weigh", long_doubles, ""),
     ("window_needed", 260, "S stands squared"),
     ("matrix_R", lambda y, H, P: y @ y.T / len(y) - H @ P @ H.T, "`y.T @ y`"),
+    ("window_needed", 2 * (1.3 / 0.05) ** 2, "*twice* the standard deviation"),
+    ("window_needed", int(np.ceil(2 * (1.3 / (0.1 + 0.3)) ** 2)), "takes nothing off its scatter"),
+    ("mixture_cov", about_the_likeliest, "mean of the most probable filter"),
+    ("unknown_sensor", zero_for_NaN, "as if something had been read"),
+    ("moved_or_noisy", True, "Three answers are offered"),
+    ("moved_or_noisy", 967.261, "That is R̂ of the stretch"),
 ]
 
 

@@ -63,6 +63,12 @@ def recognised(rows):
     return 0 if abs(np.median(rows) - 210) < 1 else 6
 
 
+def other_side(p, s, R, y):
+    F = np.array([[1, 1], [0, 1]])
+    P = F.T @ np.diag([p, s]) @ F
+    return P[1, 0] / (P[0, 0] + R) * y
+
+
 RIGHT = [
     ("gravity", lambda rows: 0 if np.all(abs(rows - 210) <= 1) else 6),
     ("gravity", within(1)),
@@ -95,6 +101,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("gravity", recognised, "A median near the floor"),
     ("thrown_ball", lambda *given: _thrown_ball.follow(*given, kick=np.eye(4)), "on its diagonal"),
     ("thrown_ball", _thrown_ball.FAILING["σ for R"], "take no root"),
+    ("first_velocity", other_side, "what Fᵀ P F makes"),
 ]
 
 

@@ -59,6 +59,19 @@ def symmetric(P, Q, dt):
     return np.array([[a, P[0, 1] + dt * P[1, 1]], [P[1, 0] + dt * P[1, 1], P[1, 1]]]) + Q
 
 
+def corner_mended(P, Q, dt):
+    return np.array(
+        [
+            [P[0, 0] + dt * P[1, 0] + Q[0, 0], P[0, 1] + P[1, 1] + Q[0, 1]],
+            [P[1, 0] + P[1, 1] + Q[1, 0], P[1, 1] + Q[1, 1]],
+        ]
+    )
+
+
+def second_column(P, K):
+    return P * np.array([[1 - K[0], 1 - K[0]], [1 - K[1], 1 - K[0]]])
+
+
 RIGHT = [
     ("is_a_covariance", lambda P: (abs(P - P.T) <= 1e-9).all() and (eig(P) >= 0).all()),
     ("is_a_covariance", lambda P: np.allclose(P, P.T) and np.linalg.eigvals(P).min() > -1e-9),
@@ -88,6 +101,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("is_a_covariance", one_matrix, "You look for one matrix"),
     ("wrap", turns_by_hand, "trials"),
     ("right_prediction", symmetric, "need not be symmetric"),
+    ("right_prediction", corner_mended, "yours get P₁₁ without dt"),
+    ("right_update", second_column, "made of the *first* row"),
 ]
 
 

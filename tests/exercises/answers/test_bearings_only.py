@@ -56,6 +56,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("review", "a, b", "none of these. a: With the root"),
     ("review", "b and c", "b: Try a target due east"),
     ("mended_bearing", quarter_turns, "as without `abs`"),
+    ("review", "none", "One of the four is right"),
 ]
 
 

@@ -37,6 +37,10 @@ def row_put_back(x, P, z, H, R, c):
     return x + part @ (z - H @ x), Q
 
 
+def kept(P, C, B, F, fading, Q, q):
+    return F @ P @ F.T + Q, fading * F @ C, B
+
+
 RIGHT = [
     ("first_covariance", [[0.952, -0.762], [-0.762, 1]]),
 ]
@@ -58,6 +62,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("first_covariance", of_deviations(), "right for P⁻ = diag(16, 1)"),
     ("late_row", row_put_back, "as they were before the reading"),
     ("inflated", 0.55, "by its standard deviation"),
+    ("economical", kept, "B is kept as it was"),
 ]
 
 

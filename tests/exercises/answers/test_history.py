@@ -12,6 +12,14 @@ def rest_to_the_newest(K, n):
     return w
 
 
+def two_at_least(K, n):
+    w = [K]
+    for _ in range(1, n - 1):
+        w.append(w[-1] * (1 - K))
+    w.append(w[-1] * (1 - K) / K)
+    return np.array(w)
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("newest_ten", 0.7, "That leaves 0.3 to the readings older"),
     ("behind", 2.0, "the reading leaves 1.792 s"),
@@ -22,6 +30,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("undisturbed", "A", 'several are handed in as a set, such as {"X", "Y"}'),
     ("newest_ten", sum(0.15 * 0.85**j for j in range(1, 10)), "0.653 is the sum for j = 1 to 9"),
     ("exponential_weights", lambda K, n: (1 - K) * K ** np.arange(n), "K and 1 − K are exchanged"),
+    ("exponential_weights", two_at_least, "a single reading has the whole weight"),
 ]
 
 

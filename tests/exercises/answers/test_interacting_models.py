@@ -38,6 +38,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("mended_start", samples_for_runs, "`z[0]` is run 1"),
     ("wrong_push", "bigger", "Mending does no harm"),
     ("mended_start", between_runs, "second reading of the run *before* is subtracted"),
+    ("wrong_push", "the error becomes smaller", "One might expect", "not among"),
 ]
 
 

@@ -54,6 +54,14 @@ def smallest_nis(z):
 inv = np.linalg.inv
 
 
+def diagonal_matrix(mean, variances, normal):
+    return mean + np.diag(np.sqrt(variances)) * normal
+
+
+def with_its_variances(mean, variances, normal):
+    return mean + np.sqrt(variances) * normal, variances
+
+
 RIGHT = [
     ("draw_start", lambda mean, variances, normal: mean - np.sqrt(variances) * normal),
 ]
@@ -106,6 +114,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
         "are the readings themselves",
         "Does each recording get",
     ),
+    ("draw_start", diagonal_matrix, "multiplies entry by entry and leaves a matrix"),
+    ("draw_start", with_its_variances, "but it is a tuple of 2 items"),
 ]
 
 

@@ -98,6 +98,11 @@ def a_decade_apart(z, Q):
     return 10.0 ** np.round(np.log10(_fitted_R.best(z, Q)))
 
 
+def cut_y_alone(y, S):
+    y = y[~np.isnan(y)]
+    return -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S)
+
+
 RIGHT = [
     ("fitted_R", search()),
 ]
@@ -149,6 +154,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("fitted_R", lambda z, Q: 15099.0, "that is the lesson's Nile"),
     ("fitted_R", lambda z, Q: 5.0, "whatever the readings are"),
     ("fitted_R", a_decade_apart, "one point a decade"),
+    ("log_likelihood", cut_y_alone, "the lengths differ", "raised an error"),
 ]
 
 
@@ -157,6 +163,7 @@ def test_right(name, answer):
     assert_right(f"let_the_data_choose.{name}", answer)
 
 
-@pytest.mark.parametrize(("name", "answer", "words"), TOLD)
-def test_told(name, answer, words):
-    assert_told(f"let_the_data_choose.{name}", answer, words)
+@pytest.mark.parametrize("row", TOLD)
+def test_told(row):
+    name, answer, *words = row
+    assert_told(f"let_the_data_choose.{name}", answer, *words)

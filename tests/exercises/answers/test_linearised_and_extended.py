@@ -92,6 +92,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("range_and_bearing", _radar.raw, "Those are the raw readings"),
     ("widest_belief", np.sqrt(400 / 2), "both factors 2 multiply"),
     ("widest_belief", 20, "From σ²/(2 · 400 m) = 2 m follows"),
+    ("widest_belief", np.sqrt(2 * 400**2 * 2), "a sag of σ²/(2d²)"),
+    ("widest_belief", 2 * np.sqrt(2 * 400 * 2), "from −σ to +σ"),
 ]
 
 

@@ -58,6 +58,10 @@ def overwritten(F, x):
     return y
 
 
+def half_not_squared(T, sigma):
+    return sigma**2 * np.array([[T**4 / 2, T**3 / 2], [T**3 / 2, T**2]])
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("motion", glued, "should be 2 values, an array of shape (2, 2) and an array"),
     ("impossible", "E", "Your answer is the letter E alone"),
@@ -76,6 +80,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("held_push", flat, "np.outer(G, G)"),
     ("overwritten", overwritten, "the new first entry"),
     ("held_push", lambda T, s: s**2 * np.array([[T**2 / 2], [T]]), "That is σ² G, a column"),
+    ("held_push", half_not_squared, "the half is squared too"),
 ]
 
 

@@ -86,6 +86,13 @@ def corrected(x, P, z, H, R, R_gain=1, expected=None):
     return x + K @ (z - (H @ x if expected is None else expected)), (np.eye(len(x)) - K @ H) @ P
 
 
+def without_H(x, P, z, H, R):
+    K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+    x_new = x + K @ (z - H @ x)
+    P_new = (np.eye(len(x)) - K) @ P
+    return x_new, P_new
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("misprints", old_innovation, "Use H @ x_pred in the innovation", "must be F @ x"),
     ("printed_position", "ABD", "turns it into a step of 4 m"),
@@ -108,6 +115,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("misprints", Q_inside, "in the inverse of line three only"),
     ("correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, expected=x[: len(z)]), "you took x away from z"),
     ("correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, R_gain=1e-13), "R is missing in your gain"),
+    ("correct", without_H, "H must come first", "raised an error"),
 ]
 
 

@@ -84,6 +84,35 @@ def median_of_five(z):
     return bearings.scalar_filter(np.median(recent, axis=1), 200, 500)
 
 
+def no_way_back(x, P, reading, Q, R):
+    P = P + Q
+    y = angle_difference(reading, x)
+    S = P + R
+    if y**2 <= 9 * S:
+        K = P / S
+        x = x + K * y
+        P = (1 - K) * P
+        return x, P
+
+
+def patient_and_plain(z):
+    Q, R = 0.2, 2.0
+    x, P, count, out = np.median(z[:30]), R, 0, []
+    for reading in z:
+        P = P + Q
+        y = reading - x
+        S = P + R
+        if y**2 > 16 * S:
+            count += 1
+            if count >= 15:
+                x, P, count = reading, R, 0
+        else:
+            K = P / S
+            x, P, count = x + K * y, (1 - K) * P, 0
+        out.append(x)
+    return np.array(out)
+
+
 RIGHT = [
     ("agreeing", lambda old, z, w: int(sum(abs(angle_difference(old, z)) <= w))),
 ]
@@ -118,6 +147,9 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("speaker", lambda z: np.full(len(z), 180.0), "one bearing for a whole", "Do echoes of"),
     ("speaker", gate(patience=8), "at their end it is 100 % of the way", "gate open again"),
     ("speaker", gate(patience=np.inf), "gate open again", "too early"),
+    ("gated_step", no_way_back, "your function returns nothing"),
+    ("speaker", patient_and_plain, "turned by 90°"),
+    ("speaker", lambda z: np.exp(1j * np.radians(z)), "holds complex numbers: real ones are wanted"),
 ]
 
 

@@ -84,6 +84,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("step_back", no_Q_in_the_gain, "Your gain is F⁻¹"),
     ("one_step_back", (6, 1), "right for G = 1"),
     ("smoothed_cov", lambda P, B: 1 / (1 / P + 1 / B), "entry by entry"),
+    ("real_gap", 7.4, "About 7 % is the difference"),
+    ("real_gap", "a little smaller, by less than a tenth", "A letter is wanted", "not among"),
 ]
 
 

@@ -125,6 +125,9 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("noise", drawn, "Use those in `normal`"),
     ("mended_step", old_P, "the P that came in"),
     ("noise", lambda normal, Q: np.sqrt(Q) * normal, "`*` multiplies entry by entry"),
+    ("suspect", "g", "one of the two halves", "not among"),
+    ("suspect", "too large", "which of the two can push them there", "not among"),
+    ("suspect", "wrong sign of g", "the readings would lie below", "not among"),
 ]
 
 

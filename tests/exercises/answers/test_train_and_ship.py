@@ -111,6 +111,10 @@ def cart_with(Q=None, P=None):
     return follow
 
 
+def middle_of_the_lesson(low, high, believed):
+    return (high - low) ** 2 / 12 + (10 - believed) ** 2
+
+
 RIGHT = [
     ("start_variance", lambda a, b, c: np.mean((np.linspace(a, b, 20001) - c) ** 2)),
     ("cart_with_gaps", cart.white(1)),
@@ -155,6 +159,12 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("cart_with_gaps", cart_with(lambda dt, sd: cart.motion(dt, 1)[1] * sd), "sd times G Gᵀ", "start's P"),
     ("cart_with_gaps", cart_with(P=np.eye(2)), "first reading is too small", "Is Q, R"),
     ("cart_with_gaps", cart.FAILING["gaps filled with zeros"], "your P is smaller", "Is Q, R"),
+    ("start_variance", middle_of_the_lesson, "that of the lesson"),
+    (
+        "running_average",
+        lambda z, dt: [None] * min(5, len(z)) + list((z[5:] - z[:-5]) / (5 * dt)),
+        "None at [0]; NaN is `np.nan`",
+    ),
 ]
 
 

@@ -93,6 +93,21 @@ SMALL = tracks("pda_filter(plane, z, belief, detection=0.9, clutter=clutter, gat
 OTHER_H = tracks("pda_filter(plane.replace(H=np.eye(2, 4)), z, belief, detection=0.9, clutter=clutter)", ":2")
 
 
+def nearest_by_hand(z, start, clutter):
+    F, H, Q, R = (getattr(boats.plane(), letter) for letter in "FHQR")
+    x, P, found = np.array(start, float), np.diag([25.0, 1, 25, 1]), []
+    for scan in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        y, S = scan - H @ x, H @ P @ H.T + R
+        nis = np.sum(y @ np.linalg.inv(S) * y, axis=1)
+        i = np.argmin(nis)
+        if nis[i] <= 9.21:
+            K = P @ H.T @ np.linalg.inv(S)
+            x, P = x + K @ y[i], P - K @ S @ K.T
+        found.append(x[[0, 2]])
+    return np.array(found)
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("false_in_gate", 0.2, "a gate of 400 m²"),
     ("zeros", [2, 7], "There is no reading 7"),
@@ -111,9 +126,17 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
         {"A": "reading 2", "B": "reading 3"},
         "it is a dictionary: give the numbers alone, without names, in the order of the question, as in `[1, 2]`",
     ),
+    ("false_in_gate", 0.0005 * 2 * np.pi * np.sqrt(36 * 25), "without its last factor"),
+    ("boat", nearest_by_hand, "With a row of NaN beside it", "b too large"),
+    (
+        "boat",
+        lambda z, start, clutter: (np.zeros((60, 2)), np.eye(4)),
+        "is a tuple of 2 items: one array of shape (60, 2)",
+    ),
 ]
 
 
-@pytest.mark.parametrize(("name", "answer", "words"), TOLD)
-def test_told(name, answer, words):
-    assert_told(f"whose_is_it.{name}", answer, words)
+@pytest.mark.parametrize("row", TOLD)
+def test_told(row):
+    name, answer, *words = row
+    assert_told(f"whose_is_it.{name}", answer, *words)

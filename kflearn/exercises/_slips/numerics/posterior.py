@@ -177,9 +177,5 @@ WRONG = (
             lambda one, two: abs(one @ one.T - two @ two.T),
             "The difference is what the reading took away. Return the smaller of the two covariances itself.",
         ),
-        "largest eigenvalues": (
-            lambda one, two: min((one @ one.T, two @ two.T), key=lambda P: np.linalg.norm(P, 2)),
-            "You compare the largest eigenvalues. Where a reading says nothing about one direction, P stays as wide there, and the two are equal. The trace, or the determinant, becomes smaller.",
-        ),
     }
 )

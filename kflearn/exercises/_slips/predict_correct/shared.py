@@ -86,7 +86,10 @@ WRONG_STEPS = {
         "Your x is right. P is still the predicted one: a measurement makes it smaller, (I − K H) P.",
     ),
     "I − K": (
-        lambda x, P, z, H, R: (correction(gain_of(P, H, R), x, P, z, H)[0], P - gain_of(P, H, R) @ P),
+        lambda x, P, z, H, R: (
+            correction(gain_of(P, H, R), x, P, z, H)[0],
+            (np.eye(len(x)) - gain_of(P, H, R)) @ P,
+        ),
         "Your x is right. In P you wrote I − K; K takes metres of the tape to the state, so H must come first: I − K H.",
     ),
     "I − H K": (
