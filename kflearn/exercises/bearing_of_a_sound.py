@@ -19,6 +19,11 @@ def mended_update(P, K):
     return P - np.outer(K, P[0])
 
 
+def repairs(prediction, update):
+    """The four programs of the lesson's bug hunt: as published, one half mended, the other half, both."""
+    return [(first, second) for first in (prediction, mended_prediction) for second in (update, mended_update)]
+
+
 def differences(rng):
     """A difference of two bearings, one of which may have gone round many times; never half a turn."""
     return (float(rng.integers(-1440, 1440) * rng.choice([1, 25])) + 0.5,)
