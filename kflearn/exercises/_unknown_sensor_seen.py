@@ -148,7 +148,7 @@ MARKS = [
     Mark(
         "NEES / 2 where R became 1 m²",
         honest(GOOD),
-        low=0.78,
+        low=0.7,
         high=2.1,
         below=likely(
             "The claimed σ is too large for the errors.",
@@ -165,7 +165,7 @@ MARKS = [
     Mark(
         "NEES / 2 where R became 16 m²",
         honest(BAD),
-        low=0.86,
+        low=0.8,
         high=1.25,
         below=likely(
             "The claimed σ is too large for the errors.",
