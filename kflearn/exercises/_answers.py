@@ -50,16 +50,15 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=Tru
     try:
         given = _numbers(_in_a_row(answer, right) if by_hand else answer, right)
     except Misfit as instead:
-        return f"{subject} should be {_form(right.shape, right.dtype.kind)}, but it is {without_names(right) if named else instead}."
+        found = without_names(right, "str" in str(instead)) if named else instead
+        return f"{subject} should be {_form(right.shape, right.dtype.kind)}, but it is {found}."
 
     if right.dtype == bool and right.ndim == 0 and reveal:
         return _fault_in_truth(given, right, subject)
     right = right.astype(given.dtype)
     good = _close(given, right, rtol, atol) | (_to_three_digits(given, right) if by_hand else False)
-    if good.all():
-        return None
-    if not subject:  # only whether they differ is asked
-        return "differs"
+    if good.all() or not subject:
+        return None if good.all() else "differs"
     at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
     direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
     twins = _relatives(given, right) if related else ()
@@ -150,7 +149,7 @@ def _numbers(answer, right):
     if answer is None or isinstance(answer, (str, bytes)):
         raise Misfit("None" if answer is None else f"text (of type {kind}): {of_text(answer, right)}")
     if callable(answer):
-        raise Misfit("a function: call it and hand in what it returns")
+        raise Misfit("a function: hand in the value itself")
     if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
         raise Misfit(f"a {kind} of {_count(len(answer), 'item')}")
     array = _array(answer, f"of type {kind}", np.isnan(right).any() if right.dtype.kind == "f" else False)
@@ -232,7 +231,10 @@ def chosen(answer, choices=frozenset()) -> frozenset:
     if isinstance(answer, bool):
         return frozenset({str(answer).casefold()})
     if isinstance(answer, (list, tuple, set, frozenset, range)) and len(answer) <= 100:
-        return frozenset().union(*(chosen(part, choices) for part in answer))
+        found = [chosen(part, choices) for part in answer]
+        if any(len(part) > 1 for part in found) and len(set(found)) > 1:
+            raise ValueError("several answers are no choice")
+        return frozenset().union(*found)
     if int(answer) != answer:
         raise ValueError("a fraction is no choice")
     return frozenset({str(int(answer))})

@@ -66,14 +66,16 @@ def zero(answers, recordings):
 
 def of_the_gaps(answers, recordings):
     """Where mean and P do not move in the gaps as they should; None where they do."""
-    moved, stood, by_one = [], [], []
+    moved, stood, lasted, even = [], [], [], []
     for answer, recording in zip(answers, recordings, strict=True):
-        (mean, cov), (F, _), dt = pair(answer), motion(*recording[0][1:3]), recording[0][1]
+        (mean, cov), (F, _) = pair(answer), motion(*recording[0][1:3])
         steps = gaps(recording)
         moved.append(np.allclose(mean[steps], mean[steps - 1] @ F.T, rtol=1e-6, atol=1e-6))
         stood.append(np.allclose(mean[steps], mean[steps - 1]) and np.allclose(cov[steps], cov[steps - 1]))
         way = mean[steps, 0] - mean[steps - 1, 0]
-        by_one.append(dt != 1 and np.allclose(way, mean[steps - 1, 1], rtol=1e-6, atol=1e-6))
+        with np.errstate(all="ignore"):
+            lasted.append(np.median(way / mean[steps - 1, 1]))
+        even.append(np.allclose(way, lasted[-1] * mean[steps - 1, 1], rtol=1e-6, atol=1e-6))
     if all(np.allclose(pair(each)[1], pair(each)[1][0]) for each in answers):
         return f"Your P is the same at every reading, gaps included. In a gap it must grow.{zero(answers, recordings)}"
     if all(stood):
@@ -81,10 +83,10 @@ def of_the_gaps(answers, recordings):
             "In the gaps your filter waits: mean and P stay as they were. "
             "The cart goes on: predict in every step, and leave out the correction alone."
         )
-    if all(by_one[i] or recordings[i][0][1] == 1 for i in range(len(answers))):
-        return "In the gaps your position moves on by one second's way, and a step lasts dt: does F contain dt?"
+    if all(even) and np.ptp(lasted) < 1e-6 < lasted[0]:
+        return f"In the gaps your position moves on by the way of {lasted[0]:.3g} s, whatever dt is: does F contain dt, the one that is given?"
     if all(growth(*each)[0][0, 0] < 0 for each in zip(answers, recordings, strict=True)):
-        return "In the gaps your P is smaller than the motion makes it of the P before. Is a NaN taken for a number, is the speed in the state, and is P handed in after its correction?"
+        return "In the gaps your P is smaller than F P Fᵀ + Q. Is a NaN taken for a number, is the speed in the state, is dt the one that is given, and is P handed in after its correction?"
     if not any(moved):
         return "In the gaps your mean does not move on as F says: position + dt · speed, and the same speed."
     return None

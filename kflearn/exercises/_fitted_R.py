@@ -36,6 +36,12 @@ def where_nis_is_one(z, Q):
     return GRID[np.argmin(abs(np.mean(nis, axis=0) - 1))]
 
 
+THE_SAME = (
+    "Does it come from z? A NaN in the sum makes all of it NaN, and each trial has missing readings: without a reading there is "
+    "no y, and no term."
+)
+
+
 def of_all(results, rights):
     """What is said of a logarithm, and where the search ran to an end of what was tried: a part of the sum is missing."""
     for log, back in ((np.log, "`np.exp` of it"), (np.log10, "ten to the power of it")):
@@ -49,7 +55,7 @@ def of_all(results, rights):
             "or use a search."
         )
     if np.ptp(results) == 0 and np.all(abs(np.log(results / rights)) < np.log(20)):
-        return f"Your R is {results[0]:.4g} in every trial, whatever the readings are. Fit R to z."
+        return f"Your R is {results[0]:.4g} in every trial. {THE_SAME}"
     if np.all(results > 20 * rights):
         return (
             "Your R is far too large in every trial: does the search run to the end of what it tries? Is log 2πS in the sum? "

@@ -53,7 +53,7 @@ class Exercise:
         try:
             with watched(printed, self.limit):
                 if unfinished(answer):
-                    return Outcome("not attempted", NOTHING[isinstance(answer, str)])
+                    return Outcome(*NOTHING.get(type(answer), NOTHING[type(...)]))
                 self._last = answer
                 outcome = self._judge(answer, printed)
         except KeyboardInterrupt:  # the learner stops their own endless loop
@@ -179,7 +179,7 @@ class ChoiceExercise(ValueExercise):
         if self.lines and not all(map(str.isdigit, given or {""})):
             return "give the number of the line, or a list of them."
         if not given or not (self.lines or given <= self.choices):
-            return f"{not_there(answer, self.choices)}choose from {self._listed(self.choices)}."
+            return f"{not_there(answer, self.choices, len(chosen(self.right)) > 1)}choose from {self._listed(self.choices)}."
         if len(given) > 1 and len(chosen(self.right)) == 1 and not self.lines:
             return one_of(given, chosen(self.right), self.choices, self.wrong)
         if len(given) > max(3, len(self.choices) // 2):

@@ -9,9 +9,13 @@ LEAD = {
     "not attempted": "… Not attempted yet.",
 }
 NOTHING = {
-    False: "Put your answer in place of `...` and run the cell again.",
-    True: "Nothing stands between the quotation marks: put your answer there and run the cell again.",
-}  # whether an empty text was handed in
+    type(...): ("not attempted", "Put your answer in place of `...` and run the cell again."),
+    str: ("not attempted", "Nothing stands between the quotation marks: put your answer there and run the cell again."),
+    type(None): (
+        "not attempted",
+        "None was handed in, which is no answer. (`print(…)` shows a value and returns None: hand in the value itself.)",
+    ),
+}  # what is said of nothing, by its type; of lists with dots in them as of dots
 
 
 class Message:

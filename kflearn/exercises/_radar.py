@@ -129,8 +129,10 @@ def against(reading, x, wrap, expect=None, slope=None):
     """Innovation and H at a state, or what stands there by mistake."""
     expected, H = seen(x)
     y = reading - (expected if expect is None else expect(x))
-    turns = {True: [1], False: [], "both": [0, 1]}[wrap]  # what is taken the short way round
+    turns = {True: [1], "both": [0, 1]}.get(wrap, [])  # what is taken the short way round
     y[turns] = angle_difference(y[turns], 0, 2 * np.pi)
+    if wrap == "remainder":
+        y[1] %= 2 * np.pi
     return y, H if slope is None else slope(H, x)
 
 

@@ -131,6 +131,10 @@ MISTAKES = [
         "Somewhere the bearings are not subtracted the short way round, on one side or on both. A bearing of 3.1 rad and one of −3.1 rad are close together: `angle_difference(…, …, 2 * np.pi)`.",
     ),
     (
+        lambda *given: extended(*given, wrap="remainder"),
+        "Your difference of two bearings lies between 0 and 2π, as `% (2 * np.pi)` makes it: a small negative one becomes nearly 2π. Take it the short way round, between −π and π: `angle_difference(…, …, 2 * np.pi)`.",
+    ),
+    (
         lambda *given: extended(*given, wrap="both"),
         "The distance is taken the short way round as well. Only the bearing is an angle: subtract the distance plainly.",
     ),
@@ -165,7 +169,7 @@ MISTAKES = [
     ),
     (
         with_H(lambda H, x: across(H, -1)),
-        "The second row of your H, the slope of the bearing, has the wrong sign. Test H with the three lines of the lesson.",
+        "Your bearings push the wrong way: the second row of H, the slope of the bearing, has the wrong sign, or the bearing's innovation is expected minus read. Test H with the three lines of the lesson; an innovation is the reading minus what is expected.",
     ),
     (
         with_H(lambda H, x: np.vstack([H[0], [x[0] / along(x) ** 2, 0, x[2] / along(x) ** 2, 0]])),

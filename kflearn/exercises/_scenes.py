@@ -147,8 +147,8 @@ def gain(scenes, rows, reading):
     if np.mean(abs(np.concatenate([turns(s)[0] for s in earlier]) - 1) < 0.01) > 0.9:
         return f"Your P is predicted once more before you store it: return x and P after the correction, of the same {rows[:-1]}."
     return (
-        "In many steps your state does not move by K (z − H x) with the K that makes your P smaller. "
-        "Do x and P get the same K? Is a gate far too narrow? P becomes (I − K H) P."
+        "In many steps your state does not move by K (z − H x) with the K that makes your P smaller. In a single filter x and P get "
+        "the same K, and P becomes (I − K H) P. In a bank, or behind a gate that is far too narrow, that is not so."
     )
 
 

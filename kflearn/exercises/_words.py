@@ -37,10 +37,14 @@ def plain(text, choices) -> str:
     return alike.pop() if len(alike) == 1 else whole
 
 
-def not_there(answer, choices) -> str:
-    """What is said before the list of choices, where the answer is a word or a number that is none of them."""
+def not_there(answer, choices, several=False) -> str:
+    """What is said before the list of choices, where the answer is a word or a number that is none of them.
+
+    several: whether more than one is wanted.
+    """
     if all(len(choice) == 1 and choice.isalpha() for choice in choices):
-        return "" if isinstance(answer, str) and len(answer.strip()) < 3 else "a letter is wanted, in quotation marks: "
+        wanted = 'letters are wanted, such as {"X", "Y"}: ' if several else "a letter is wanted, in quotation marks: "
+        return "" if isinstance(answer, str) and len(answer.strip()) < 3 else wanted
     words = all(len(choice) > 1 for choice in choices - {"true"})
     if isinstance(answer, str):
         text = " ".join(answer.split())
@@ -115,8 +119,10 @@ def of_text(answer, right):
     return "write it without quotation marks, words and units"
 
 
-def without_names(right) -> str:
+def without_names(right, holds_text=False) -> str:
     """What is said of a dictionary whose values do not fit; right: the array that is wanted."""
+    if holds_text:
+        return "a dictionary of texts: give numbers, without quotation marks"
     example = f", as in `{list(range(1, right.size + 1))}`" if right.ndim == 1 and right.size < 6 else ""
     return f"a dictionary: give the numbers alone, without names, in the order of the question{example}"
 

@@ -100,7 +100,8 @@ def first_velocity(p, s, R, y):
 
 EDGES = [[210.0, 210.0, 210.0], [210.4, 209.6, 209.7], [210.4, 209.6, 210.7]]
 EDGES += [[210.98, 209.02, 210.5], [210.3, 211.02, 209.8], [208.98, 210.3, 209.8]]  # just inside 1 px, just outside
-KINDS = cycle(range(14))  # each of them in the twenty trials
+EDGES += [[211.0, 210.0, 209.7]]  # exactly 1 px
+KINDS = cycle(range(15))  # each of them in the twenty trials
 
 
 def three_rows(rng):
@@ -133,7 +134,7 @@ def three_rows(rng):
     inputs=three_rows,
     fixed={"rows": "the text asks about the last three frames"},
     wrong=slips.gravity.WRONG,
-    then="A comparison with NaN is False, so a hidden ball keeps falling: what was not seen is not known to rest.",
+    then="With a NaN among the rows the ball keeps falling: what was not seen is not known to rest.",
 )
 def gravity(rows):
     """The push on the row's velocity: 0 if the last three rows (NaN: not seen) were within 1 px of 210, else 6."""

@@ -166,7 +166,7 @@ def test_two_wrong_choices_get_their_reasons_and_three_do_not():
 
 def test_a_dictionary_is_called_a_dictionary():
     for right, words in ((np.eye(2), "in the order of the question."), (np.array([1.0, 5.0]), "as in `[1, 2]`.")):
-        said = fault({"x": "one", "y": "two"}, right, "your answer", 1e-3, None, False, by_hand=True)
+        said = fault({"x": [1, 2, 3], "y": 2}, right, "your answer", 1e-3, None, False, by_hand=True)
         assert "it is a dictionary" in said
         assert said.endswith(words)
 

@@ -70,12 +70,12 @@ def other_side(p, s, R, y):
 
 
 RIGHT = [
-    ("gravity", lambda rows: 0 if np.all(abs(rows - 210) <= 1) else 6),
     ("gravity", within(1)),
 ]
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("gravity", lambda rows: 0 if np.all(abs(rows - 210) <= 1) else 6, "only if it is *less* than 1 px away"),
     ("thrown_ball", lambda *given: ball.follow(*given, gate=400), "the detections of something else"),
     ("coast", lambda x, P, F, push, Q: (F @ x + push, 1e4 * np.eye(len(x))), "threw P away"),
     ("first_velocity", lambda p, s, R, y: s * y / (p + s + R**2), "right for R²"),

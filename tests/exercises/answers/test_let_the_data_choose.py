@@ -152,7 +152,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("half_missing", 4 - 0.5, "3.5 is 4 − ½"),
     ("fitted_R", filled, "a reading of 0 stands in each gap"),
     ("fitted_R", lambda z, Q: 15099.0, "that is the lesson's Nile"),
-    ("fitted_R", lambda z, Q: 5.0, "whatever the readings are"),
+    ("fitted_R", lambda z, Q: 5.0, "Does it come from z?"),
     ("fitted_R", a_decade_apart, "one point a decade"),
     ("log_likelihood", cut_y_alone, "the lengths differ", "raised an error"),
 ]

@@ -124,7 +124,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     (
         "zeros",
         {"A": "reading 2", "B": "reading 3"},
-        "it is a dictionary: give the numbers alone, without names, in the order of the question, as in `[1, 2]`",
+        "it is a dictionary of texts: give numbers, without quotation marks",
     ),
     ("false_in_gate", 0.0005 * 2 * np.pi * np.sqrt(36 * 25), "without its last factor"),
     ("boat", nearest_by_hand, "With a row of NaN beside it", "b too large"),

@@ -173,5 +173,9 @@ WRONG = (
             "It answers as if each sum below −700 were raised to −700 first: such weights all look alike then. Take "
             "the largest sum off before exp, and none needs a lowest value.",
         ),
+        "logarithms added up": (
+            lambda log_weights, log_likelihoods: (s := log_weights + log_likelihoods) - np.log(np.sum(s)),
+            "You add up logarithms and take the logarithm of that sum; they are negative, so there is none. The weights are added up: log Σ exp(s).",
+        ),
     }
 )

@@ -104,4 +104,5 @@ WRONG = {
         22,
         "22 is right for 0.1 + 0.3 = 0.4 m². What is taken off C is known, and takes nothing off its scatter: S √(2/N) = 0.1 m².",
     ),
+    "the lesson's S": (242, "242 is 2 (1.1/0.1)². Here S is 1.3 m²."),
 }

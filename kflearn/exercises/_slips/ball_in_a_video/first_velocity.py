@@ -95,4 +95,8 @@ WRONG = {
         "S below is right. On top you have √(p·s), as if place and velocity had erred together before. Only the "
         "prediction ties them: F P Fᵀ has s in its corner.",
     ),
+    "place and velocity": (
+        lambda p, s, R, y: np.array([p + s, s]) / (p + s + R) * y,
+        "Those are the corrections of place and velocity. The velocity's alone is asked for, the second.",
+    ),
 }

@@ -90,4 +90,8 @@ WRONG = {
         "It answers as if only `min(rows) > 209` were asked: a row of 212 then counts as near, and so may a NaN. "
         "Each of the three must be less than 1 px away, above *and* below.",
     ),
+    "at most 1 px": (
+        lambda rows: 0.0 if np.all(abs(rows - 210) <= 1) else 6.0,
+        "Right, but for a row that is exactly 1 px from the floor: it counts only if it is *less* than 1 px away, `<`.",
+    ),
 }

@@ -165,5 +165,13 @@ WRONG = (
             lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C, B),
             "P and C are right. B is kept as it was. A considered bias is not *estimated*, but it fades and is renewed: fading² · B + q.",
         ),
+        "B before C": (
+            lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading**2 * B + q, fading * F @ C),
+            "All three are right. Return them in the order P, C, B.",
+        ),
+        "first bias alone": (
+            lambda P, C, B, F, fading, Q, q: (F @ P @ F.T + Q, fading * F @ C[:, 0], fading**2 * B + q),
+            "P and B are right. C has one column for each bias: take all of them.",
+        ),
     }
 )

@@ -134,4 +134,8 @@ WRONG = {
         lambda K, n: np.array([*(K * (1 - K) ** np.arange(max(n - 1, 1))), (1 - K) ** max(n - 1, 1)]),
         "Right for two readings and more. For n = 1 you return two weights: a single reading has the whole weight, [1].",
     ),
+    "K in any case": (
+        lambda K, n: np.array([K, 1.0]) if n == 1 else with_last(K * (1 - K) ** np.arange(n), (1 - K) ** (n - 1)),
+        "Right for two readings and more. For n = 1 you return two weights: a single reading has the whole weight, [1].",
+    ),
 }

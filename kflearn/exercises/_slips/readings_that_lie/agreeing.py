@@ -146,5 +146,11 @@ WRONG = (
             "Differences above 180° are taken the short way round, those below −180° are not: seen from 358°, 2° is "
             "4° away. `angle_difference` does both.",
         ),
+        "the first one alone": (
+            lambda refused, reading, width: (
+                int(abs(angle_difference(refused[0], reading)) <= width) if len(refused) else None
+            ),
+            "Only the first refused reading counts in your result: does the `return` stand inside the loop?",
+        ),
     }
 )

@@ -139,4 +139,8 @@ WRONG = {
         lambda low, high, believed: (high - low) ** 2 / 12 + (10 - believed) ** 2,
         "Your middle is 10, that of the lesson's trains. Here it is (low + high)/2.",
     ),
+    "half of the range": (
+        lambda low, high, believed: (high - low) ** 2 / 48 + ((low + high) / 2 - believed) ** 2,
+        "You took half of the width. An even distribution has the variance (high − low)²/12, with the whole width.",
+    ),
 }

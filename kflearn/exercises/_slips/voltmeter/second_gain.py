@@ -98,4 +98,8 @@ WRONG = {
         5 / 17,
         "0.294 is 5/(5 + 3 + 9): P⁻ = 5 contains Q already. Below the line stands P⁻ + R.",
     ),
+    "started at R": (
+        12 / 21,
+        "0.571 is (9 + 3)/(9 + 3 + 9): it starts with P = R = 9 V². Here the filter has P = 2 V² after its first reading.",
+    ),
 }

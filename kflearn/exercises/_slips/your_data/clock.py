@@ -150,5 +150,9 @@ WRONG = (
             "One number too many: each but the first and last is the mean of the step before a reading and the one "
             "after it, as `np.gradient` makes it. A step goes from one reading to the next.",
         ),
+        "in mean steps": (
+            lambda time, z: (s := np.diff(time[~np.isnan(z)])) / np.mean(s),
+            "Your steps are counted in mean steps. They are wanted in seconds: do not divide.",
+        ),
     }
 )
