@@ -141,6 +141,11 @@ def zero_for_NaN(z, F, Q, mean, cov):
     return np.array(means), np.array(covs)
 
 
+def sum_of_logarithms(log_weights, log_likelihoods):
+    total = log_weights + log_likelihoods
+    return total - np.log(np.sum(total))
+
+
 RIGHT = [
     ("unknown_sensor", learns(window=30, floor=0.3)),
     ("unknown_sensor", lambda *given: _unknown_sensor.learn(*given, window=25, floor=0.3)),
@@ -183,6 +188,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("unknown_sensor", zero_for_NaN, "as if something had been read"),
     ("moved_or_noisy", True, "Three answers are offered"),
     ("moved_or_noisy", 967.261, "That is R̂ of the stretch"),
+    ("window_needed", round(2 * (1.1 / 0.1) ** 2), "Here S is 1.3"),
+    ("weigh", sum_of_logarithms, "add up logarithms"),
 ]
 
 

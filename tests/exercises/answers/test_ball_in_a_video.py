@@ -69,6 +69,12 @@ def other_side(p, s, R, y):
     return P[1, 0] / (P[0, 0] + R) * y
 
 
+def place_too(p, s, R, y):
+    F = np.array([[1, 1], [0, 1]])
+    P = F @ np.diag([p, s]) @ F.T
+    return P[:, 0] / (P[0, 0] + R) * y
+
+
 RIGHT = [
     ("gravity", within(1)),
 ]
@@ -102,6 +108,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("thrown_ball", lambda *given: _thrown_ball.follow(*given, kick=np.eye(4)), "on its diagonal"),
     ("thrown_ball", _thrown_ball.FAILING["σ for R"], "take no root"),
     ("first_velocity", other_side, "what Fᵀ P F makes"),
+    ("first_velocity", place_too, "corrections of place and velocity"),
 ]
 
 

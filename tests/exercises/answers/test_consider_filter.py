@@ -41,6 +41,14 @@ def kept(P, C, B, F, fading, Q, q):
     return F @ P @ F.T + Q, fading * F @ C, B
 
 
+def B_first(P, C, B, F, fading, Q, q):
+    return F @ P @ F.T + Q, fading**2 * B + q, fading * F @ C
+
+
+def one_column(P, C, B, F, fading, Q, q):
+    return F @ P @ F.T + Q, fading * F @ C[:, 0], fading**2 * B + q
+
+
 RIGHT = [
     ("first_covariance", [[0.952, -0.762], [-0.762, 1]]),
 ]
@@ -63,6 +71,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("late_row", row_put_back, "as they were before the reading"),
     ("inflated", 0.55, "by its standard deviation"),
     ("economical", kept, "B is kept as it was"),
+    ("economical", B_first, "in the order P, C, B"),
+    ("economical", one_column, "one column for each bias"),
 ]
 
 

@@ -20,6 +20,14 @@ def two_at_least(K, n):
     return np.array(w)
 
 
+def K_in_any_case(K, n):
+    w = [K]
+    for j in range(1, n - 1):
+        w.append(K * (1 - K) ** j)
+    w.append((1 - K) ** (n - 1))
+    return np.array(w)
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("newest_ten", 0.7, "That leaves 0.3 to the readings older"),
     ("behind", 2.0, "the reading leaves 1.792 s"),
@@ -31,6 +39,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("newest_ten", sum(0.15 * 0.85**j for j in range(1, 10)), "0.653 is the sum for j = 1 to 9"),
     ("exponential_weights", lambda K, n: (1 - K) * K ** np.arange(n), "K and 1 − K are exchanged"),
     ("exponential_weights", two_at_least, "a single reading has the whole weight"),
+    ("exponential_weights", K_in_any_case, "a single reading has the whole weight"),
 ]
 
 

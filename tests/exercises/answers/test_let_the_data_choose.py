@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize_scalar
 from scipy.stats import chi2, norm
 
 from kflearn import diffuse_start, fit, kalman_filter, random_walk, rts_smoother
@@ -103,6 +104,20 @@ def cut_y_alone(y, S):
     return -0.5 * np.sum(np.log(2 * np.pi * S) + y**2 / S)
 
 
+def NaN_kept(z, Q):
+    def minus_log_l(log_R):
+        R = np.exp(log_R)
+        x, P, total = z[0], R, 0.0
+        for reading in z[1:]:
+            P = P + Q
+            S, y = P + R, reading - x
+            total += 0.5 * (np.log(2 * np.pi * S) + y * y / S)
+            x, P = x + P / S * y, P * R / S
+        return total
+
+    return np.exp(minimize_scalar(minus_log_l, bounds=(-10, 15), method="bounded").x)
+
+
 RIGHT = [
     ("fitted_R", search()),
 ]
@@ -155,6 +170,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("fitted_R", lambda z, Q: 5.0, "Does it come from z?"),
     ("fitted_R", a_decade_apart, "one point a decade"),
     ("log_likelihood", cut_y_alone, "the lengths differ", "raised an error"),
+    ("fitted_R", NaN_kept, "A NaN in the sum", "whatever"),
 ]
 
 

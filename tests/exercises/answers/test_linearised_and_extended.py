@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from kflearn import angle_difference
 from kflearn.exercises import _radar
 from kflearn.exercises import _radar as radar
 from kflearn.exercises._radar import F, Q, R, against, converted, extended
@@ -69,6 +70,40 @@ def another_order(z, mean, cov):
     return means[:, [0, 2, 1, 3]], covs[:, [0, 2, 1, 3]][:, :, [0, 2, 1, 3]]
 
 
+def remainder_of_a_turn(z, mean, cov):
+    F, Q = np.kron(np.eye(2), [[1, 1], [0, 1]]), np.diag([0.005, 0.01, 0.005, 0.01])
+    R = np.diag([5**2, 0.02**2])
+    x, P, means, covs = mean, cov, [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        r = np.hypot(x[0], x[2])
+        H = np.array([[x[0] / r, 0, x[2] / r, 0], [-x[2] / r**2, 0, x[0] / r**2, 0]])
+        y = np.array([reading[0] - r, (reading[1] - np.arctan2(x[2], x[0])) % (2 * np.pi)])
+        K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+        x = x + K @ y
+        P = (np.eye(4) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
+
+
+def turned_innovation(z, mean, cov):
+    F, Q = np.kron(np.eye(2), [[1, 1], [0, 1]]), np.diag([0.005, 0.01, 0.005, 0.01])
+    R = np.diag([5**2, 0.02**2])
+    x, P, means, covs = mean, cov, [], []
+    for reading in z:
+        x, P = F @ x, F @ P @ F.T + Q
+        r = np.hypot(x[0], x[2])
+        H = np.array([[x[0] / r, 0, x[2] / r, 0], [-x[2] / r**2, 0, x[0] / r**2, 0]])
+        y = np.array([reading[0] - r, angle_difference(np.arctan2(x[2], x[0]), reading[1], 2 * np.pi)])
+        K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+        x = x + K @ y
+        P = (np.eye(4) - K @ H) @ P
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
+
+
 RIGHT = [
     ("widest_belief", np.sqrt(402**2 - 400**2)),
     ("range_and_bearing", joseph),
@@ -94,6 +129,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("widest_belief", 20, "From σ²/(2 · 400 m) = 2 m follows"),
     ("widest_belief", np.sqrt(2 * 400**2 * 2), "a sag of σ²/(2d²)"),
     ("widest_belief", 2 * np.sqrt(2 * 400 * 2), "from −σ to +σ"),
+    ("range_and_bearing", remainder_of_a_turn, "nearly 2π"),
+    ("range_and_bearing", turned_innovation, "or the bearing's innovation is expected minus read"),
 ]
 
 

@@ -116,6 +116,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, expected=x[: len(z)]), "you took x away from z"),
     ("correct", lambda x, P, z, H, R: corrected(x, P, z, H, R, R_gain=1e-13), "R is missing in your gain"),
     ("correct", without_H, "H must come first", "raised an error"),
+    ("printed_position", ({"A", "B", "C"}, {"A", "C"}), "Letters are wanted"),
 ]
 
 

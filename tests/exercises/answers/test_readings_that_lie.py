@@ -113,6 +113,14 @@ def patient_and_plain(z):
     return np.array(out)
 
 
+def first_alone(refused, reading, width):
+    count = 0
+    for old in refused:
+        if abs(angle_difference(old, reading)) <= width:
+            count += 1
+        return count
+
+
 RIGHT = [
     ("agreeing", lambda old, z, w: int(sum(abs(angle_difference(old, z)) <= w))),
 ]
@@ -150,6 +158,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("gated_step", no_way_back, "your function returns nothing"),
     ("speaker", patient_and_plain, "turned by 90°"),
     ("speaker", lambda z: np.exp(1j * np.radians(z)), "holds complex numbers: real ones are wanted"),
+    ("agreeing", first_alone, "inside the loop"),
 ]
 
 

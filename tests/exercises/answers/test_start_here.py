@@ -34,6 +34,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("three_readings", 62.99, "too low"),
     ("data_sheet", 81, "is the square of what is wanted. Is there a square too many"),
     ("readings_needed", int((2 / 0.25) ** 2) + 1, "n − 1 belongs to a variance"),
+    ("readings_needed", None, "`print(…)` shows a value and returns None"),
 ]
 
 

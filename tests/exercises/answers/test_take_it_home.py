@@ -51,6 +51,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("use_what_is_there", rows_of_R, "Both go", "raised an error"),
     ("use_what_is_there", nothing_to_return, "your function returns nothing"),
     ("use_what_is_there", number_one, "I is the identity matrix"),
+    ("own_start", {"A": 25, "B": 0, "C": 50, "D": -25, "E": 0}, "Letters are wanted", "A letter"),
 ]
 
 

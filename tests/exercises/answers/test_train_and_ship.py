@@ -115,6 +115,30 @@ def middle_of_the_lesson(low, high, believed):
     return (high - low) ** 2 / 12 + (10 - believed) ** 2
 
 
+def half_the_range(low, high, believed):
+    a = (high - low) / 2
+    return a**2 / 12 + ((low + high) / 2 - believed) ** 2
+
+
+def typed_dt(z, dt, sd, sigma):
+    dt = 0.1
+    F = np.array([[1, dt], [0, 1]])
+    B = np.array([dt**2 / 2, dt])
+    Q = sd**2 * np.outer(B, B)
+    R = sigma**2
+    x, P = np.array([z[0], 0.0]), np.diag([sigma**2, 9.0])
+    means, covs = [x], [P]
+    for reading in z[1:]:
+        x, P = F @ x, F @ P @ F.T + Q
+        if not np.isnan(reading):
+            K = P[:, 0] / (P[0, 0] + R)
+            x = x + K * (reading - x[0])
+            P = P - np.outer(K, P[0])
+        means.append(x)
+        covs.append(P)
+    return np.array(means), np.array(covs)
+
+
 RIGHT = [
     ("start_variance", lambda a, b, c: np.mean((np.linspace(a, b, 20001) - c) ** 2)),
     ("cart_with_gaps", cart.white(1)),
@@ -165,6 +189,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
         lambda z, dt: [None] * min(5, len(z)) + list((z[5:] - z[:-5]) / (5 * dt)),
         "None at [0]; NaN is `np.nan`",
     ),
+    ("start_variance", half_the_range, "You took half of the width"),
+    ("cart_with_gaps", typed_dt, "the way of 0.1 s", "NaN taken for a number"),
 ]
 
 

@@ -155,6 +155,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("whole_filter", meter.FAILING["gaps filled with zeros"], "or the last reading?", "P has to grow by Q"),
     ("whole_filter", meter.FAILING["raw readings, NaN kept"], "not finite at reading", "±2σ"),
     ("whole_filter", meter.FAILING["predictions"], "one reading late", "Does the gain"),
+    ("second_gain", (9 + 3) / (9 + 3 + 9), "it starts with P = R"),
+    ("best_error", lambda reading: 12 + 0.5 * (reading - 12), "but it is a function: hand in the value itself"),
 ]
 
 

@@ -115,6 +115,11 @@ def rows_skipped(time, z, q):
     return mean, cov
 
 
+def in_mean_steps(time, z):
+    kept = time[~np.isnan(z)]
+    return np.diff(kept) / ((kept[-1] - kept[0]) / (len(kept) - 1))
+
+
 RIGHT = [
     ("variance_at_rest", lambda t, z, u: np.nanvar(z[t <= u], ddof=1)),
 ]
@@ -150,6 +155,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("ride", rows_skipped, "they are skipped"),
     ("clock", lambda t, z: np.round(np.diff(t[~np.isnan(z)]), 1), "rounded"),
     ("milliseconds_for_seconds", 1e-8, "1000³ is 10⁹"),
+    ("clock", in_mean_steps, "counted in mean steps"),
 ]
 
 
