@@ -1,16 +1,15 @@
-"""Lesson 5: answers that were handed in by strangers, and what each must get."""
+"""Lesson 5: answers that were handed in by strangers, and what each must get (see test_answers.py)."""
 
 import linecache
 import re
 
 import numpy as np
-import pytest
 
 import kflearn
 from kflearn import boats
 from kflearn.exercises import _voltmeter_judge as meter
 from kflearn.exercises import _voltmeter_judge as voltmeter
-from tests.exercises.hand_in import asked, assert_right, assert_told
+from tests.exercises.hand_in import asked
 
 
 def named(exercise, *names):
@@ -158,14 +157,3 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("second_gain", (9 + 3) / (9 + 3 + 9), "it starts with P = R"),
     ("best_error", lambda reading: 12 + 0.5 * (reading - 12), "but it is a function: hand in the value itself"),
 ]
-
-
-@pytest.mark.parametrize(("name", "answer"), RIGHT)
-def test_right(name, answer):
-    assert_right(f"voltmeter.{name}", answer)
-
-
-@pytest.mark.parametrize("row", TOLD)
-def test_told(row):
-    name, answer, *words = row
-    assert_told(f"voltmeter.{name}", answer, *words)

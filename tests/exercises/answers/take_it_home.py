@@ -1,9 +1,6 @@
-"""Lesson 29: answers that were handed in by strangers, and what each must get."""
+"""Lesson 29: answers that were handed in by strangers, and what each must get (see test_answers.py)."""
 
 import numpy as np
-import pytest
-
-from tests.exercises.hand_in import assert_told
 
 
 def all_read(x, P, z, H, R):
@@ -53,9 +50,3 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("use_what_is_there", number_one, "I is the identity matrix"),
     ("own_start", {"A": 25, "B": 0, "C": 50, "D": -25, "E": 0}, "Letters are wanted", "A letter"),
 ]
-
-
-@pytest.mark.parametrize("row", TOLD)
-def test_told(row):
-    name, answer, *words = row
-    assert_told(f"take_it_home.{name}", answer, *words)

@@ -1,9 +1,6 @@
-"""Lesson 21: answers that were handed in by strangers, and what each must get."""
+"""Lesson 21: answers that were handed in by strangers, and what each must get (see test_answers.py)."""
 
 import numpy as np
-import pytest
-
-from tests.exercises.hand_in import assert_right, assert_told
 
 
 def of_size_three(x, P, z, H, R, considered):
@@ -74,13 +71,3 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("economical", B_first, "in the order P, C, B"),
     ("economical", one_column, "one column for each bias"),
 ]
-
-
-@pytest.mark.parametrize(("name", "answer"), RIGHT)
-def test_right(name, answer):
-    assert_right(f"consider_filter.{name}", answer)
-
-
-@pytest.mark.parametrize(("name", "answer", "words"), TOLD)
-def test_told(name, answer, words):
-    assert_told(f"consider_filter.{name}", answer, words)
