@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kflearn.exercises import _a_boat, _radar, _radar_signs, _unknown_sensor_signs
+from kflearn.exercises import _a_boat, _radar_signs, _unknown_sensor_signs
 from kflearn.exercises import _radar as radar
 from kflearn.exercises import _unknown_receiver as receiver
 from kflearn.exercises import _voltmeter_judge as meter
@@ -148,7 +148,7 @@ def test_a_filter_s_report_says_what_its_results_show(design, words, not_said):
 @pytest.mark.parametrize("number", range(len(_radar_signs.MISTAKES)))
 def test_each_mistake_in_the_radars_filter_is_named(number):
     design, words = _radar_signs.MISTAKES[number]
-    recordings = [_radar.recording(np.random.default_rng(seed)) for seed in (1, 4)]
+    recordings = [radar.recording(np.random.default_rng(seed)) for seed in (1, 4)]
     assert any(np.any(abs(np.diff(inputs[0][:, 1])) > 4) for inputs, _ in recordings)  # for the short way round
     answers = [design(*inputs) for inputs, _ in recordings]
     assert _radar_signs.known(design, answers, recordings) == words

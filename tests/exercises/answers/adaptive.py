@@ -5,7 +5,6 @@ import math
 import numpy as np
 
 from kflearn import Gaussian, LinearModel, kalman_filter, mmae_filter
-from kflearn.exercises import _unknown_sensor
 from kflearn.exercises import _unknown_sensor as sensor
 from kflearn.exercises.adaptive import unknown_sensor
 
@@ -84,7 +83,7 @@ def root(R, y, explained):
 
 
 def learns(**settings):
-    return lambda z, F, Q, mean, cov: _unknown_sensor.learn(z, F, Q, mean, cov, **settings)
+    return lambda z, F, Q, mean, cov: sensor.learn(z, F, Q, mean, cov, **settings)
 
 
 def variance_of_the_readings(z, F, Q, mean, cov):
@@ -146,7 +145,7 @@ def sum_of_logarithms(log_weights, log_likelihoods):
 
 RIGHT = [
     ("unknown_sensor", learns(window=30, floor=0.3)),
-    ("unknown_sensor", lambda *given: _unknown_sensor.learn(*given, window=25, floor=0.3)),
+    ("unknown_sensor", lambda *given: sensor.learn(*given, window=25, floor=0.3)),
 ]
 
 
@@ -164,10 +163,10 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("mixture_cov", spread_not_weighted, "how far the means are apart is not"),
     ("unknown_sensor", gated, "of the readings where the sensor is bad"),
     ("unknown_sensor", static, "let a bank change"),
-    ("unknown_sensor", with_(_unknown_sensor.learn, window=100), "a window must be shorter"),
-    ("unknown_sensor", with_(_unknown_sensor.learn, explained=False), "Is HP⁻Hᵀ taken off C, and may R̂ fall"),
-    ("unknown_sensor", with_(_unknown_sensor.learn, rule=root), "Does a standard deviation, or a root"),
-    ("unknown_sensor", with_(_unknown_sensor.learn, window=0, R=4.0), "uses R = 4 m² in every step"),
+    ("unknown_sensor", with_(sensor.learn, window=100), "a window must be shorter"),
+    ("unknown_sensor", with_(sensor.learn, explained=False), "Is HP⁻Hᵀ taken off C, and may R̂ fall"),
+    ("unknown_sensor", with_(sensor.learn, rule=root), "Does a standard deviation, or a root"),
+    ("unknown_sensor", with_(sensor.learn, window=0, R=4.0), "uses R = 4 m² in every step"),
     ("unknown_sensor", learns(window=30, floor=0.01), "Give R̂ a floor of 0.05 m² or more"),
     ("unknown_sensor", learns(window=150), "until then nothing is learnt"),
     ("unknown_sensor", learns(window=1, R=1.0), "of too few squared innovations"),
@@ -175,7 +174,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("weigh", tiny, "as if 1e-300 were added to Σ exp(s)"),
     ("weigh", lowest, "raised to −700 first"),
     ("unknown_sensor", repeated, "no reading is used"),
-    ("unknown_sensor", lambda *given: _unknown_sensor.learn(*given, explained=False), "taken off C"),
+    ("unknown_sensor", lambda *given: sensor.learn(*given, explained=False), "taken off C"),
     ("unknown_sensor", lambda *given: unknown_sensor._solve(*given)[0], "the covariance is missing"),
     ("weigh", long_doubles, ""),
     ("window_needed", 260, "S stands squared"),

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from kflearn.exercises import _thrown_ball
 from kflearn.exercises import _thrown_ball as ball
 from kflearn.exercises._thrown_ball import KICK, motion
 
@@ -13,11 +12,11 @@ inv = np.linalg.inv
 
 def tracker(z, g, q, R, order=(0, 1, 2, 3), early=False, push=1.0, sign=1.0, shrink=1.0, at=None):
     """A tracker for the ball of lesson 19 with parts that may be wrong."""
-    F, up = _thrown_ball.motion(g)
+    F, up = ball.motion(g)
     x, P, rows = np.array([*(z[0] if at is None else at), 0, 0]), np.diag([R, R, 1e4, 1e4]), []
     rows.append((x, P))
     for seen in z[1:]:
-        x, P = F @ x + push * up, F @ P @ F.T + q * _thrown_ball.KICK
+        x, P = F @ x + push * up, F @ P @ F.T + q * ball.KICK
         ahead = x, P
         y, S = seen - H @ x, H @ P @ H.T + R * np.eye(2)
         if y @ inv(S) @ y < 11.8:
@@ -87,12 +86,12 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("thrown_ball", with_(tracker, order=[0, 2, 1, 3]), "In another order of your states"),
     ("thrown_ball", with_(tracker, push=0), "Gravity is missing"),
     ("thrown_ball", with_(tracker, push=0.3), "your state is pushed by"),
-    ("thrown_ball", with_(_thrown_ball.follow, kick=np.diag([3, 3, 1, 1])), "P grows by"),
+    ("thrown_ball", with_(ball.follow, kick=np.diag([3, 3, 1, 1])), "P grows by"),
     ("thrown_ball", with_(tracker, sign=-1), "moves away from the detection"),
     ("thrown_ball", with_(tracker, shrink=0), "P stays as it was predicted"),
     ("thrown_ball", with_(tracker, at=(0, 0)), "px from the first detection"),
-    ("thrown_ball", with_(_thrown_ball.follow, given=64.0), "times the R that is given"),
-    ("thrown_ball", with_(_thrown_ball.follow, wide=0.01), "No start is given"),
+    ("thrown_ball", with_(ball.follow, given=64.0), "times the R that is given"),
+    ("thrown_ball", with_(ball.follow, wide=0.01), "No start is given"),
     ("thrown_ball", lambda *given: tuple(part[1:] for part in tracker(*given)), "has 43 rows for 44 readings"),
     ("coast", lambda x, P, F, push, Q: (np.zeros(4), F @ P @ F.T + Q), "though the ball flies on"),
     ("thrown_ball", with_a_floor, "there is no floor"),
@@ -103,8 +102,8 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("gravity", within(1.1), ""),
     ("gravity", within(2), "1.5 px off"),
     ("gravity", recognised, "A median near the floor"),
-    ("thrown_ball", lambda *given: _thrown_ball.follow(*given, kick=np.eye(4)), "on its diagonal"),
-    ("thrown_ball", _thrown_ball.FAILING["σ for R"], "take no root"),
+    ("thrown_ball", lambda *given: ball.follow(*given, kick=np.eye(4)), "on its diagonal"),
+    ("thrown_ball", ball.FAILING["σ for R"], "take no root"),
     ("first_velocity", other_side, "what Fᵀ P F makes"),
     ("first_velocity", place_too, "corrections of place and velocity"),
 ]

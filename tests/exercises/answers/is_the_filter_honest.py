@@ -4,7 +4,6 @@ import numpy as np
 
 from kflearn import Gaussian, LinearModel, chi_square_interval, kalman_filter
 from kflearn.exercises import _unknown_receiver as receiver
-from kflearn.exercises import _unknown_receiver as ship
 
 
 def changing(z):
@@ -24,14 +23,14 @@ def own_start(mean, variances, normal):
 
 
 def other_start(z):
-    model = LinearModel(ship.F, [[1, 0]], ship.Q, [[np.var(np.diff(z, 2)) / 6]])
+    model = LinearModel(receiver.F, [[1, 0]], receiver.Q, [[np.var(np.diff(z, 2)) / 6]])
     track = kalman_filter(model, z[:, None], Gaussian([z[0], 0], np.eye(2)))
     return track.mean, track.cov
 
 
 def scaled(z):
-    factor = ship.run(z, 100.0)[2].mean()
-    return ship.run(z, 100 * factor, factor * ship.Q)[:2]
+    factor = receiver.run(z, 100.0)[2].mean()
+    return receiver.run(z, 100 * factor, factor * receiver.Q)[:2]
 
 
 def rooted(z):
@@ -78,9 +77,9 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("draw_start", own_start, "Use those in `normal`"),
     ("unknown_sensor", other_start, "does not follow from the start", "every recording get"),
     ("unknown_sensor", scaled, "Only R is unknown", "every recording get"),
-    ("unknown_sensor", lambda z: ship.run(z, np.var(np.diff(z)))[:2], "about 2 times", "own?"),
-    ("unknown_sensor", lambda z: ship.run(z, np.diff(z).std() / 2**0.5)[:2], "the square", "is R"),
-    ("unknown_sensor", lambda z: ship.run(z, np.var(z))[:2], "counted as noise", "own?"),
+    ("unknown_sensor", lambda z: receiver.run(z, np.var(np.diff(z)))[:2], "about 2 times", "own?"),
+    ("unknown_sensor", lambda z: receiver.run(z, np.diff(z).std() / 2**0.5)[:2], "the square", "is R"),
+    ("unknown_sensor", lambda z: receiver.run(z, np.var(z))[:2], "counted as noise", "own?"),
     ("nees", lambda e, P: e @ e / np.linalg.det(P), "determinant"),
     ("unknown_sensor", lambda z: receiver.run(z, np.var(z))[:2], "variance of the readings' errors"),
     ("unknown_sensor", lambda z: receiver.run(z, np.mean(np.diff(z) ** 2))[:2], "squared differences"),
@@ -105,7 +104,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("nees", lambda e, P: e @ inv(P @ P) @ e, "P⁻¹ stands once between the two e"),
     ("share_inside", lambda e, P: 0.683, "what to expect of an honest filter"),
     ("draw_start", lambda m, v, n: np.random.default_rng().normal(m, np.sqrt(v)), "Use those in `normal`"),
-    ("unknown_sensor", ship.FAILING["Q forgotten"], "Is Q added in each", "is R the variance"),
+    ("unknown_sensor", receiver.FAILING["Q forgotten"], "Is Q added in each", "is R the variance"),
     (
         "unknown_sensor",
         lambda z: (np.stack([z, 0 * z], 1), np.tile(np.eye(2), (100, 1, 1))),

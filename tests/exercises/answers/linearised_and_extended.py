@@ -3,7 +3,6 @@
 import numpy as np
 
 from kflearn import angle_difference
-from kflearn.exercises import _radar
 from kflearn.exercises import _radar as radar
 from kflearn.exercises._radar import F, Q, R, against, converted, extended
 
@@ -122,7 +121,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("range_and_bearing", never_corrected, "Your P only grows"),
     ("range_and_bearing", predictions, "these are the predictions"),
     ("range_and_bearing", another_order, "in another order"),
-    ("range_and_bearing", _radar.raw, "Those are the raw readings"),
+    ("range_and_bearing", radar.raw, "Those are the raw readings"),
     ("widest_belief", np.sqrt(400 / 2), "both factors 2 multiply"),
     ("widest_belief", 20, "From σ²/(2 · 400 m) = 2 m follows"),
     ("widest_belief", np.sqrt(2 * 400**2 * 2), "a sag of σ²/(2d²)"),

@@ -8,7 +8,6 @@ import numpy as np
 import kflearn
 from kflearn import boats
 from kflearn.exercises import _voltmeter_judge as meter
-from kflearn.exercises import _voltmeter_judge as voltmeter
 from tests.exercises.hand_in import asked
 
 
@@ -96,7 +95,7 @@ def whole(Q, R):
 
 
 def filled(z, Q, R):
-    return voltmeter.filtered(voltmeter.last_reading(z), Q, R)
+    return meter.filtered(meter.last_reading(z), Q, R)
 
 
 def few_steps(Q, R):

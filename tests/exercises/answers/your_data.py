@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from kflearn.exercises import _a_ride
 from kflearn.exercises import _a_ride as ride
 from kflearn.exercises._a_ride import REST, moving
 
@@ -76,7 +75,7 @@ def from_the_last_good_one(time, z, q):
 
 
 def predictions(time, z, q):
-    mean, cov = (part.copy() for part in _a_ride.follow(time, z, q))
+    mean, cov = (part.copy() for part in ride.follow(time, z, q))
     for k in range(len(time) - 1, 0, -1):
         F, Q = moving(time[k] - time[k - 1], q)
         mean[k], cov[k] = F @ mean[k - 1], F @ cov[k - 1] @ F.T + Q
@@ -143,11 +142,11 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("clock", lambda time, z: np.diff(time), "steps between all rows"),
     ("clock", lambda time, z: np.diff(time[z != np.nan]), "NaN differs from everything"),
     ("ride", predictions, "these are the predictions"),
-    ("ride", with_(_a_ride.follow, push=flat), "one push which lasts the whole step"),
-    ("ride", with_(_a_ride.follow, R=9.47), "Your R is 9.47 m² in all rides"),
-    ("ride", with_(_a_ride.follow, dt=1.0), "moves for one second in each step"),
-    ("ride", with_(_a_ride.follow, gate=np.inf), "uses readings that are far off"),
-    ("ride", with_(_a_ride.follow, gate=3), "of the good readings"),
+    ("ride", with_(ride.follow, push=flat), "one push which lasts the whole step"),
+    ("ride", with_(ride.follow, R=9.47), "Your R is 9.47 m² in all rides"),
+    ("ride", with_(ride.follow, dt=1.0), "moves for one second in each step"),
+    ("ride", with_(ride.follow, gate=np.inf), "uses readings that are far off"),
+    ("ride", with_(ride.follow, gate=3), "of the good readings"),
     ("clock", capped, "shortened to the median"),
     ("ride", interpolated, "Your P is the same in all rows"),
     ("ride", rows_skipped, "they are skipped"),
