@@ -45,6 +45,7 @@ def two_speeds(rng, T):
     for push in rng.normal(0, 1, T + lag - 1):  # it stops and goes, so that no trend hides the delay
         true.append(12 + 0.9 * (true[-1] - 12) + push)
     true = np.array(true)
+    true[T:] += np.linspace(0, 5, lag)  # the end of the drive is not like its beginning, to which `np.roll` takes it
     late = true[:T] + rng.choice([-8, -6, 0, 6, 8]) + rng.normal(0, 0.1, T)  # an offset that must be taken out
     return np.round(true[lag:] + rng.normal(0, 0.1, T), 2), np.round(late, 2), dt
 

@@ -83,4 +83,12 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("smoothed_cov", lambda P, B: 1 / (1 / P + 1 / B), "entry by entry"),
     ("real_gap", 7.4, "About 7 % is the difference"),
     ("real_gap", "a little smaller, by less than a tenth", "A letter is wanted", "not among"),
+    (
+        "count_once",
+        lambda x, P, x_back, P_back, z, R: (
+            (x / P + x_back * (1 / P_back - 1 / R)) / (1 / P + 1 / P_back - 1 / R),
+            1 / (1 / P + 1 / P_back - 1 / R),
+        ),
+        "It keeps its full weight",
+    ),
 ]

@@ -64,4 +64,9 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("live", inflated, "It goes wrong with the rows that arrive late"),
     ("clock_offset", from_one_on, "the shift 0 is not tried"),
     ("clock_offset", by_acceleration, "the mean size of the acceleration"),
+    (
+        "clock_offset",
+        lambda v, late, dt: dt * int(np.argmin([np.mean((late - np.roll(v, k)) ** 2) for k in range(11)])),
+        "takes the end of the drive to its beginning",
+    ),
 ]

@@ -112,4 +112,9 @@ WRONG = {
         21.6,
         "That number is from the lesson's table. Here the learnt 0.13 meets a sensor error of 0.07.",
     ),
+    "learnt and actual added": (
+        90,
+        "90 m is what 0.13 and 0.07 m/s² make together, 0.2 m/s² (or what 0.1 · 30² is). The filter subtracts 0.13, the sensor shows 0.07 "
+        "too much: which acceleration is left over?",
+    ),
 }

@@ -132,7 +132,7 @@ WRONG = {
     ),
     "information, z left in": (
         lambda x, P, x_back, P_back, z, R: met(x, P, x_back, 1 / (1 / P_back - 1 / R)),
-        "The variance is right. The mean x_back still holds z: take z/R out of the weighted sum.",
+        "The variance is right. x_back still holds z, and you weigh it with 1/P_back − 1/R. It keeps its full weight, x_back/P_back, and z/R is taken from the weighted sum.",
     ),
     "plain mean": (
         lambda x, P, x_back, P_back, z, R: ((x + x_back) / 2, (P + P_back) / 4),

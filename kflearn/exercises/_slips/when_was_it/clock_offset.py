@@ -244,5 +244,10 @@ WRONG = (
             "difference holds the offset of an instrument, and that is no delay. Shift one series step by step and "
             "compare.",
         ),
+        "rolled": (
+            lambda v, late, dt: dt * np.argmin([np.mean((late - np.roll(v, j)) ** 2) for j in range(11)]),
+            "`np.roll` takes the end of the drive to its beginning, and there it is compared with what it has nothing to do with. Compare the "
+            "parts that belong together alone: `late[j:]` and `v[:len(v) - j]`, without their means.",
+        ),
     }
 )
