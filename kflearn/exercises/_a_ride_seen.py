@@ -130,7 +130,7 @@ MARKS = [
     Mark(
         "error of the speed towards east (rms)",
         beside_it(rms(1, 30)),
-        high=1.5,
+        high=1.7,
         unit="m/s",
         above=likely(
             ("Look at Δt in F, and at the order of the states: east, its speed, north, its speed.", F_right),

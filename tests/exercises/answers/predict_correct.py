@@ -91,7 +91,7 @@ def without_H(x, P, z, H, R):
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
-    ("misprints", old_innovation, "Use H @ x_pred in the innovation", "must be F @ x"),
+    ("misprints", old_innovation, "with x_pred = F @ x", "must be F @ x"),
     ("printed_position", "ABD", "turns it into a step of 4 m"),
     ("printed_position", "AD", "only 0.5 m is wanted"),
     ("speedometer", 66, "Only K₁ times the innovation of 3 m/s is to be added"),

@@ -85,7 +85,7 @@ WRONG = (
                 F @ x + gain_of(F @ P @ F.T + Q, H, R) @ (z - H @ x),
                 step(F @ x, F @ P @ F.T + Q, z, H, R)[1],
             ),
-            "P is right. But the innovation compares z with the state of a second ago. Use H @ x_pred in the innovation.",
+            "P is right. But the innovation compares z with the state of a second ago. It belongs to the predicted state: z − H @ x_pred, with x_pred = F @ x.",
         ),
         "the old P at the end": (
             lambda x, P, z, F, H, Q, R: (
