@@ -158,7 +158,8 @@ def _numbers(answer, right):
     if array.dtype.kind not in "iuf" and array.dtype.kind != right.dtype.kind:
         holding = f", holding {array.dtype.type.__name__.strip('_')}" if array.ndim else ""
         raise Misfit(f"of type {kind}{holding}")
-    if array.shape != right.shape and not array.size == right.size == 1:
+    single = array.size == right.size == 1 and not (right.dtype == bool and array.dtype != bool)  # a place is no truth
+    if array.shape != right.shape and not single:
         several = isinstance(answer, tuple) and array.ndim > 1
         raise Misfit(f"a tuple of {len(answer)} items" if several else _form(array.shape))
     array = array.reshape(right.shape).astype(complex if right.dtype.kind == "c" else float)

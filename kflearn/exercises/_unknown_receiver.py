@@ -214,14 +214,15 @@ def of_R(used, right):
         return f"The R of your filter is about {np.median(ratio):.2g} times the variance of the readings' errors. Is a factor wrong, or missing?"
     if np.exp(np.std(np.log(used / np.sqrt(right)))) < 1.4:
         return "The R of your filter is about the standard deviation of the readings' errors, in metres. R is a variance: the square."
-    if np.median(ratio) > 1.35 or ratio.max() > 4:
+    if np.median(ratio) > 1.35:
         worst = int(np.argmax(ratio))
         return (
             f"Your R is too large: in recording {worst + 1} it is {_times(ratio[worst])} times the variance of the readings' errors. "
             "The ship moves: is the way that it goes counted as noise? Or does a search for R stop too early?"
         )
     return (
-        f"Your R is wrong by a factor that is different in each recording, from {ratio.min():.2g} to {ratio.max():.2g}."
+        f"Your R is wrong by a factor that is different in each recording, from {ratio.min():.2g} to {ratio.max():.2g}. "
+        "Is it made of too few readings, or of something else than their errors?"
     )
 
 

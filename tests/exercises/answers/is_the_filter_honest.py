@@ -113,4 +113,10 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ),
     ("draw_start", diagonal_matrix, "multiplies entry by entry and leaves a matrix"),
     ("draw_start", with_its_variances, "but it is a tuple of 2 items"),
+    (
+        "unknown_sensor",
+        lambda z: receiver.run(z, np.var(np.diff(z[:5])) / 2)[:2],
+        "a factor that is different in each recording",
+        "R is too large",
+    ),
 ]

@@ -155,4 +155,9 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("whole_filter", meter.FAILING["predictions"], "one reading late", "Does the gain"),
     ("second_gain", (9 + 3) / (9 + 3 + 9), "it starts with P = R"),
     ("best_error", lambda reading: 12 + 0.5 * (reading - 12), "but it is a function: hand in the value itself"),
+    (
+        "is_unknown",
+        lambda x: np.flatnonzero(np.isnan(x)) if np.isnan(x).any() else False,
+        "should be True or False, but it is an array of shape (1,)",
+    ),
 ]
