@@ -206,7 +206,9 @@ def track(states, names="mean and covariance"):
     def form(answer, truth):
         T = len(truth)
         if shape_of(answer) == (T, states):
-            return "holds the means only, and the covariance is missing: return means and covariances"
+            return (
+                f"is one array {(T, states)}: return the means and beside them the covariances, {(T, states, states)}"
+            )
         try:
             mean, cov = pair(answer)
         except (TypeError, ValueError):  # not two arrays

@@ -114,6 +114,8 @@ def of_text(answer, right):
         return "write True or False, without quotation marks"
     if not right.ndim and re.fullmatch(r" *[+-]?\d+,\d+ *", words):
         return "leave out the quotation marks, and write a point in place of the comma"
+    if right.ndim and "[" not in words:
+        return "write numbers in brackets, as in `[1, 2]`"
     if re.fullmatch(r"[\d\s.,e+()\[\]*/-]*", words):
         return "leave out the quotation marks"
     return "write it without quotation marks, words and units"

@@ -23,4 +23,5 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("dark_time", lambda dv, b, allowed: (allowed - dv) / b, "the *speed* is wrong by `allowed`"),
     ("dark_time", lambda dv, b, allowed: np.sqrt(2 * allowed / (b + dv)), "as if dv were an acceleration too"),
     ("all_bias", (0.13 + 0.07) * 450, "0.13 and 0.07 m/s² make together"),
+    ("goes_back", "00101", "write numbers in brackets", "leave out"),
 ]
