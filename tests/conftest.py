@@ -28,7 +28,7 @@ SLOW = (  # beginnings of names: more than about a second, on a quiet machine
     "tests/targets/test_tracker.py::test_stricter_rules_make_fewer_false_tracks_and_later_true_ones",
     "tests/test_import.py::test_it_takes_less_time_than_numpy_alone",
 )
-BUILT = (  # beginnings of names: three of the minutes that all tests take together
+BUILT = (  # beginnings of names: a third of the time that all tests take
     "tests/dev/test_access.py",
     "tests/dev/test_assignment.py",
     "tests/dev/test_class_obstacles.py",
@@ -52,7 +52,9 @@ def pytest_collection_modifyitems(items):
         if item.nodeid.startswith(SLOW):
             item.add_marker(pytest.mark.slow)
         if item.nodeid.startswith(BUILT) and not all_of_them:
-            item.add_marker(pytest.mark.skip(reason="builds a page, a class or slides first: set KFLEARN_BUILD=1"))
+            item.add_marker(
+                pytest.mark.skip(reason="builds something whole first, or attacks the course: set KFLEARN_BUILD=1")
+            )
 
 
 def pytest_internalerror(excrepr):

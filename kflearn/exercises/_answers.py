@@ -57,7 +57,7 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=Tru
         return _fault_in_truth(given, right, subject)
     right = right.astype(given.dtype)
     good = _close(given, right, rtol, atol) | (_to_three_digits(given, right) if by_hand else False)
-    if good.all() or not subject:
+    if good.all() or not subject:  # without a subject only whether they differ is asked
         return None if good.all() else "differs"
     at = tuple(np.argwhere(~good)[0].tolist())  # the first entry that differs
     direction = "wrong" if np.iscomplexobj(right) else "too high" if given[at] > right[at] else "too low"
@@ -251,9 +251,6 @@ def parts(value) -> dict:
     if _is_gaussian(value):
         return {"the mean": value.mean, "the covariance": value.cov}
     return {f"value {i}": part for i, part in enumerate(value, 1)} if isinstance(value, tuple) else {}
-
-
-# ---- functions the learner hands in
 
 
 def unfinished(answer, depth=5) -> bool:

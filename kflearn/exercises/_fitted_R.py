@@ -1,6 +1,6 @@
-"""Wrong answers to the last exercise of lesson 24, where R is fitted, each with the sentence that it gets.
+"""What the last exercise of lesson 24, where R is fitted, says of an R, and ways to a wrong one.
 
-They are sought on a grid of R, all of it in one pass, so that a check of slow code does not become slower still.
+These are sought on a grid of R, all of it in one pass, so that a check of slow code does not become slower still.
 """
 
 import numpy as np

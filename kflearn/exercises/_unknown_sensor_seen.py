@@ -78,13 +78,13 @@ def judged_at(truth, level, read=1):
     return settled(truth[:, 2], level) & (truth[:, 3] == read)
 
 
-def honest(*levels, read=1):
-    """The mean NEES / 2 where R has one of these values and there is a reading, or none, of all recordings together."""
+def honest(level, read=1):
+    """The mean NEES / 2 where R has a value and there is a reading, or none, of all recordings together."""
 
     def value(answers, truths):
         found = []
         for answer, truth in zip(answers, truths, strict=True):
-            (mean, cov), at = pair(answer), np.any([judged_at(truth, level, read) for level in levels], axis=0)
+            (mean, cov), at = pair(answer), judged_at(truth, level, read)
             error = (truth[:, :2] - mean)[at]
             found.append(np.sum(error * np.linalg.solve(cov[at], error[..., None])[..., 0], axis=-1))
         return np.mean(np.concatenate(found)) / 2

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from kflearn.exercises._newton_to_state_space import first_wrong_row
 from kflearn.exercises._slips import newton_to_state_space as slips
 from kflearn.exercises.engine import exercise
 
@@ -37,7 +36,7 @@ def motion(dt, mass, c):
         "Row by row: `[[1, 0], [100, 0], [0, 3.6]]`",
     ],
     wrong=slips.three_sensors.WRONG,
-    otherwise=first_wrong_row,
+    otherwise=slips.three_sensors.first_wrong_row,
     then="H can be read off without calculating: put in 1 m and 0 m/s, then 0 m and 1 m/s, and write down what each sensor shows.",
 )
 def three_sensors():

@@ -6,7 +6,6 @@ import numpy as np
 
 from kflearn.exercises._hints import is_about
 from kflearn.exercises._slips import tuning_the_ratio as slips
-from kflearn.exercises._tuning_the_ratio import of_sigma, sheet_by_sheet
 from kflearn.exercises._turns import in_turn
 from kflearn.exercises.engine import exercise
 
@@ -23,7 +22,7 @@ from kflearn.exercises.engine import exercise
     ],
     wrong=slips.steady_sigma.WRONG,
     unit="°C",
-    otherwise=of_sigma,
+    otherwise=slips.steady_sigma.of_sigma,
     then="The filter claims ±0.43 °C (two sigmas), where the thermometer alone has ±1 °C.",
 )
 def steady_sigma():
@@ -42,7 +41,7 @@ def steady_sigma():
     ],
     wrong=slips.data_sheets.WRONG,
     rtol=5e-3,
-    otherwise=sheet_by_sheet,
+    otherwise=slips.data_sheets.sheet_by_sheet,
     then="With 1.96 in place of 2, (b) is 0.0937 °C², which is right as well. The σ of the rounding, 0.144 V, is less than a third of the step.",
     also=[(2.5**2, (0.6 / 1.96) ** 2, 0.25**2 / 3)],
 )

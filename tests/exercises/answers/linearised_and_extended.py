@@ -67,38 +67,27 @@ def another_order(z, mean, cov):
     return means[:, [0, 2, 1, 3]], covs[:, [0, 2, 1, 3]][:, :, [0, 2, 1, 3]]
 
 
-def remainder_of_a_turn(z, mean, cov):
-    F, Q = np.kron(np.eye(2), [[1, 1], [0, 1]]), np.diag([0.005, 0.01, 0.005, 0.01])
-    R = np.diag([5**2, 0.02**2])
-    x, P, means, covs = mean, cov, [], []
-    for reading in z:
-        x, P = F @ x, F @ P @ F.T + Q
-        r = np.hypot(x[0], x[2])
-        H = np.array([[x[0] / r, 0, x[2] / r, 0], [-x[2] / r**2, 0, x[0] / r**2, 0]])
-        y = np.array([reading[0] - r, (reading[1] - np.arctan2(x[2], x[0])) % (2 * np.pi)])
-        K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
-        x = x + K @ y
-        P = (np.eye(4) - K @ H) @ P
-        means.append(x)
-        covs.append(P)
-    return np.array(means), np.array(covs)
+def written_out(difference):
+    """The extended filter as a learner writes it, with a difference of two bearings of their own."""
+
+    def follow(z, mean, cov):
+        x, P, means, covs = mean, cov, [], []
+        for reading in z:
+            x, P = F @ x, F @ P @ F.T + Q
+            r = np.hypot(x[0], x[2])
+            H = np.array([[x[0] / r, 0, x[2] / r, 0], [-x[2] / r**2, 0, x[0] / r**2, 0]])
+            y = np.array([reading[0] - r, difference(reading[1], np.arctan2(x[2], x[0]))])
+            K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+            x, P = x + K @ y, (np.eye(4) - K @ H) @ P
+            means.append(x)
+            covs.append(P)
+        return np.array(means), np.array(covs)
+
+    return follow
 
 
-def turned_innovation(z, mean, cov):
-    F, Q = np.kron(np.eye(2), [[1, 1], [0, 1]]), np.diag([0.005, 0.01, 0.005, 0.01])
-    R = np.diag([5**2, 0.02**2])
-    x, P, means, covs = mean, cov, [], []
-    for reading in z:
-        x, P = F @ x, F @ P @ F.T + Q
-        r = np.hypot(x[0], x[2])
-        H = np.array([[x[0] / r, 0, x[2] / r, 0], [-x[2] / r**2, 0, x[0] / r**2, 0]])
-        y = np.array([reading[0] - r, angle_difference(np.arctan2(x[2], x[0]), reading[1], 2 * np.pi)])
-        K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
-        x = x + K @ y
-        P = (np.eye(4) - K @ H) @ P
-        means.append(x)
-        covs.append(P)
-    return np.array(means), np.array(covs)
+remainder_of_a_turn = written_out(lambda read, expected: (read - expected) % (2 * np.pi))
+turned_innovation = written_out(lambda read, expected: angle_difference(expected, read, 2 * np.pi))
 
 
 RIGHT = [

@@ -21,22 +21,23 @@ ACCELERATIONS = {
 }
 
 
+MADE = {
+    1: "{a} m/s² is an acceleration: {name}.",
+    30: "{size} m/s is a speed, the one that {a} m/s² makes in 30 s. {a} m/s² is {name}.",
+    900: "{size} is {a} · 30². {a} m/s² is {name}.",
+    450: "{size} m is what {a} m/s² makes in 30 s. {a} m/s² is {name}.",
+}  # what is said of so many times an acceleration
+
+
 def acceleration_of(metres):
     """What a number would mean that is in no row."""
-    size = abs(metres)
     for a, name in ACCELERATIONS.items():
-        made = {
-            a: f"{show(a)} m/s² is an acceleration: {name}.",
-            30
-            * a: f"{show(size)} m/s is a speed, the one that {show(a)} m/s² makes in 30 s. {show(a)} m/s² is {name}.",
-            900 * a: f"{show(size)} is {show(a)} · 30². {show(a)} m/s² is {name}.",
-            450 * a: f"{show(size)} m is what {show(a)} m/s² makes in 30 s. {show(a)} m/s² is {name}.",
-        }
-        if said := [sentence for value, sentence in made.items() if abs(size - value) < 1e-9]:
-            return (
-                f"{said[0]} Which acceleration is left over: what the filter subtracts, less what the sensor shows too much while "
-                "braking? It makes b·t²/2 metres."
-            )
+        for times, said in MADE.items():
+            if abs(abs(metres) - times * a) < 1e-9:
+                return (
+                    f"{said.format(size=show(abs(metres)), a=show(a), name=name)} Which acceleration is left over: what the filter "
+                    "subtracts, less what the sensor shows too much while braking? It makes b·t²/2 metres."
+                )
     return (
         f"Over 30 s that is what an acceleration of {show(2 * metres / 900, 3)} m/s² makes, by b·t²/2. Which one is left over: what the "
         "filter subtracts, less what the sensor shows too much while braking?"

@@ -11,6 +11,16 @@ def balance(Q, R):
     return (math.sqrt(q**2 + 4 * q) - q) / 2
 
 
+def of_sigma(sigma):
+    """What a σ would mean; one that is nearly √(P + Q) is that, with rounded numbers."""
+    if abs(sigma - 0.23505) < 5e-4:
+        return "That is σ before a reading, √(P + Q). After the reading P = K·R is left: take its root."
+    return (
+        f"σ = {sigma:.3g} °C is a variance of {sigma**2:.3g} °C², and as P = K·R it would need K = {4 * sigma**2:.3g}. "
+        "Which K solves K² + qK − q = 0?"
+    )
+
+
 WRONG = {
     "variance": (
         lambda: balance(0.01, 0.25) * 0.25,
