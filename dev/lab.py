@@ -209,6 +209,15 @@ class Lab:
         self.page.wait_for_function(f"() => loads.length > {self.before}", polling=50)
         self.page.wait_for_function(f"() => performance.now() - loads.at(-1) > {1000 * quiet}", polling=50)
 
+    def rest(self):
+        """Settle, and wait until the kernel has answered whatever was asked of it and no picture follows."""
+        self.settle()
+        seen = None
+        while seen != self.pictures():
+            seen = self.pictures()
+            self.ask("pass")  # the kernel answers in order
+            self.page.wait_for_timeout(300)
+
     def picture(self, index=0):
         """A live picture as the browser has it now: the bytes of a PNG file."""
         return base64.b64decode(self.page.evaluate(BYTES, index))

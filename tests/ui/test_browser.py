@@ -47,6 +47,7 @@ NESTED = (
     "link((number, 'value'), (live.controls['Q'], 'value'))",
 )
 NESTED += ("ipywidgets.VBox([number, ipywidgets.HBox([other.widget]), live.widget])", "live")
+SLOW = SETUP.replace("Q, R):\n", "Q, R):\n    time.sleep(0.6)\n", 1), "live"
 DYING = SETUP, "live.widget.spec = live.widget.spec | dict(patience=[0.3, 1])\nlive"
 
 KERNEL = """
@@ -75,7 +76,7 @@ def url(tmp_path_factory):
     folder = tmp_path_factory.mktemp("notebooks")
     for name in (LESSON, "00-start-here.ipynb"):
         shutil.copy(ROOT / "notebooks" / name, folder)
-    for name, cells in dict(plain=PLAIN, nested=NESTED, dying=DYING).items():
+    for name, cells in dict(plain=PLAIN, slow=SLOW, nested=NESTED, dying=DYING).items():
         notebook(folder / f"{name}.ipynb", *cells)
     with server(folder) as found:
         yield found
@@ -86,16 +87,16 @@ def opened(chromium, url, name, **how):
     lab = Lab(chromium, url, name, **how)
     lab.run_all()
     lab.slider(0)
-    lab.settle()
+    lab.rest()
     return lab
 
 
 def right(lab):
     """Kernel and browser agree on numbers and sentence, and a fresh picture from the kernel is the one shown before."""
-    lab.settle()
+    lab.rest()
     picture, lab.before = lab.picture(), lab.pictures()
     values, status, errors = json.loads(lab.ask(KERNEL))
-    lab.settle()
+    lab.rest()
     assert lab.numbers()[: len(values)] == values
     assert sentence(lab) == status
     assert lab.picture() == picture
@@ -145,6 +146,15 @@ def test_a_lesson_in_jupyterlab(chromium, url):
     assert min(int(part) for part in colour.removeprefix("rgb(").rstrip(")").split(",")[:3]) > 200, colour
     if axe.source():
         assert axe.faults(lab.page) == []
+
+
+def test_a_picture_that_takes_longer_than_a_hand_waits(chromium, url):
+    lab = opened(chromium, url, "slow.ipynb")
+    start = right(lab)
+    lab.press(0, "ArrowRight")
+    lab.press(0, "ArrowRight")
+    assert right(lab)[1] != start[1]
+    lab.page.close()
 
 
 def test_a_move_fetches_nothing_from_the_server(chromium, url):
