@@ -2,6 +2,7 @@
 
 import inspect
 import re
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,7 +17,7 @@ UNTOUCHED_FUNCTIONS = (lambda *inputs: None, lambda *inputs: ...)
 def assert_sound(each):
     """The solution passes, each wrong answer gets its own sentence, the hints are sound."""
     assert each.question, f"{each.name}: the question (the solution's docstring) is missing"
-    solved = each.check(each._answer())
+    solved = quickly_checked(each, each._answer())
     assert solved.status == "right", f"{each.name}: its own solution gets: {solved}"
     for label, design in getattr(each, "passing", {}).items():
         assert each.check(design).status == "right", f"{each.name}: the design {label!r} gets: {each.check(design)}"
@@ -24,7 +25,7 @@ def assert_sound(each):
         assert each.check(design).status == "wrong", f"{each.name}: the design {label!r} passes"
     for label, (answer, sentence) in each.wrong.items():
         assert sentence.strip(), f"{each.name}: the wrong answer {label!r} has no sentence"
-        expected, found = [Outcome("wrong", sentence).text], each.check(answer).text
+        expected, found = [Outcome("wrong", sentence).text], quickly_checked(each, answer).text
         if label.startswith("combined: "):  # of several mistakes another one may lead to the same results
             expected = [Outcome("wrong", text).text for _, text in each.wrong.values()]
         assert found.startswith(tuple(expected)), f"{each.name}: the wrong answer {label!r} gets: {found}"
@@ -37,6 +38,15 @@ def assert_sound(each):
     for hint in hints[:-1]:
         assert not gives_away(hint, each), f"{each.name}: this hint gives the answer away: {hint!r}"
     assert_solved(each)
+
+
+def quickly_checked(each, answer):
+    """The outcome of a check, which may take half a second of the processor."""
+    start = time.process_time()
+    outcome = each.check(answer)
+    took = time.process_time() - start
+    assert took < 0.5, f"{each.name}: {answer!r} is checked in {took:.1f} s"
+    return outcome
 
 
 def assert_solved(each, names=None):
