@@ -160,8 +160,8 @@ def _numbers(answer, right):
         raise Misfit(f"of type {kind}{holding}")
     single = array.size == right.size == 1 and not (right.dtype == bool and array.dtype != bool)  # a place is no truth
     if array.shape != right.shape and not single:
-        several = isinstance(answer, tuple) and array.ndim > 1
-        raise Misfit(f"a tuple of {len(answer)} items" if several else _form(array.shape))
+        several = array.ndim > 1 and (isinstance(answer, tuple) or (kind == "list" and np.ndim(answer[0]) > 1))
+        raise Misfit(f"a {kind} of {len(answer)} items" if several else _form(array.shape))
     array = array.reshape(right.shape).astype(complex if right.dtype.kind == "c" else float)
     strange = np.argwhere(~np.isfinite(array) & np.isfinite(right))
     if len(strange):

@@ -53,6 +53,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     lead = "" if exercise.slow else _drawn(exercise, answer) or _unused(exercise, answer, close)
     lead = lead or _of_the_notebook(answer, names)
     lead = lead or _not_a_number(results, rights, cases) or _of_matrices(answer, cases, good, names)
+    lead = lead or (_fixed_size(exercise, answer) if "should be an array of shape" in words else "")
     lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
     if not lead:
         placed = _placed(results, rights, close)
@@ -68,11 +69,10 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
     status, sentence = told(error, answer, exercise._called(case))
     if status != "raised":
         return status, sentence
-    sizes = len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
+    sizes = _several_sizes(exercise)
     remark = _of_the_notebook(answer, exercise.parameters)
-    if not remark and sizes and isinstance(error, (ValueError, IndexError)) and (found := _typed_size(answer)):
-        fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
-        remark = f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
+    if not remark and isinstance(error, (ValueError, IndexError)):
+        remark = _fixed_size(exercise, answer)
     if not remark and sizes and isinstance(error, IndexError):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
     singular = isinstance(error, np.linalg.LinAlgError)
@@ -102,9 +102,18 @@ def _of_the_diagonal(answer):
     return f"{it} picks the diagonal as a vector, and adding it spreads it over all rows of S. The block of R is `R[np.ix_({s}, {s})]`."
 
 
-def _typed_size(answer):
-    """A call such as np.eye(2) in a function's text."""
-    return re.search(r"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(\d\)", _code_of.text_of(answer) or "")
+def _several_sizes(exercise):
+    """Whether the arrays of the trials have several sizes."""
+    return len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
+
+
+def _fixed_size(exercise, answer):
+    """What is said of a call such as np.eye(2) in a function's text, where the trials have several sizes."""
+    found = re.search(r"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(\d\)", _code_of.text_of(answer) or "")
+    if not found or not _several_sizes(exercise):
+        return ""
+    fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
+    return f"`{found[0]}` has a fixed size, and the trials have several: {fits}."
 
 
 def _drawn(exercise, answer):

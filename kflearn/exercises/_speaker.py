@@ -209,7 +209,7 @@ def sorts_raw(answer, answers, recordings):
     """A running median of bearings as plain numbers: there 120 is in the middle of 1, 2, 120, 358, 359."""
     text = re.sub(r"median\(\w+\[: *\w+\]\)", "", _code_of.text_of(answer) or "")  # without that of a start
     sorts = re.search(r"median(_filter)?\(", text)
-    if sorts and leads_to(answer, [359, 1, 120, 358, 2], 120, 5):
+    if sorts and not of_the_readings(answers, recordings) and leads_to(answer, [359, 1, 120, 358, 2], 120, 5):
         return f"You sort raw bearings: near north 359 and 1 end up at opposite ends. Use np.unwrap first. {BEGINNING}"
     return None
 

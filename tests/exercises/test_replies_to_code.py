@@ -147,6 +147,8 @@ def test_a_size_that_is_typed_in_is_named():
         "    return x + (np.arange(9) < 4) * moved, 0 * dx"
     )
     assert "`np.arange(9)` has a fixed size" in asked("error_state_navigation.mended_fix").check(answer).text
+    answer = written("def answer(x, dx, K, fix):\n    return x + dx + K @ (fix - x[:2] - dx[:2]), np.zeros(9)")
+    assert "`np.zeros(9)` has a fixed size" in asked("error_state_navigation.mended_fix").check(answer).text
 
 
 def test_no_time_to_explain_is_no_error_of_the_learner(monkeypatch):

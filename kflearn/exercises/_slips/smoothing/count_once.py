@@ -57,7 +57,7 @@ WRONG = {
     ),
     "variance only": (
         lambda *given: (meet(*given, taken=0)[0], meet(*given)[1]),
-        "The variance is right. The mean still leans towards z: take z/R out of the weighted sum too.",
+        "The variance is right. The mean still leans towards z: take z/R out of the sum x/P + x_back/P_back too.",
     ),
     "mean not renewed": (
         lambda x, P, x_back, P_back, z, R: (
