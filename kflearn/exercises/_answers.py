@@ -157,7 +157,7 @@ def _numbers(answer, right):
         array = array.astype(int)  # True and False for 1 and 0
     if array.dtype.kind not in "iuf" and array.dtype.kind != right.dtype.kind:
         holding = f", holding {array.dtype.type.__name__.strip('_')}" if array.ndim else ""
-        raise Misfit(f"of type {kind}{holding}")
+        raise Misfit(f"of type {kind}{holding}{': real numbers are wanted' if array.dtype.kind == 'c' else ''}")
     single = array.size == right.size == 1 and not (right.dtype == bool and array.dtype != bool)  # a place is no truth
     if array.shape != right.shape and not single:
         several = array.ndim > 1 and (isinstance(answer, tuple) or (kind == "list" and np.ndim(answer[0]) > 1))

@@ -32,6 +32,8 @@ def _otherwise(exercise, answer, results, rights):
     if not exercise.otherwise or _code_of.names_of_the_notebook(answer):
         return None
     try:
+        if np.iscomplexobj(results):
+            return None
         return exercise.otherwise(np.asarray(results, float), np.asarray(rights, float))
     except Exception:  # results that are no numbers, or not of one shape
         return None
@@ -144,8 +146,10 @@ def _of_the_notebook(answer, parameters):
 
 
 def _not_a_number(results, rights, cases):
-    """NaN where a number is wanted."""
+    """NaN, or a complex number, where a real number is wanted."""
     try:
+        if np.iscomplexobj(results) and np.isrealobj(rights):
+            return "The result is complex: is it the root of a negative number, so that a sign is missing?"
         pairs = [(np.asarray(one, float), np.asarray(other, float)) for one, other in zip(results, rights, strict=True)]
     except (TypeError, ValueError):
         return ""

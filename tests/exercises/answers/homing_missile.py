@@ -32,6 +32,7 @@ def lost_and_left(lasts, sd, dt):
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("start_sigma", 250, "the NEES is 5.47, where 3 is wanted"),
     ("left_over", another_t0, "does not depend on t0"),
+    ("left_over", lambda e, v, t0, t: e * t / t0 + v * (t / t0) ** 3, "With t = t₀ that is e + v, metres plus"),
     ("left_over", time_gone, "the time that has passed"),
     ("false_range", H_forgotten, "That is √((1 − K)·P)"),
     ("figures", mean_distances, "the mean *distance*"),

@@ -24,6 +24,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("table_length", 1.8, "one variance less the corner"),
     ("table_of", lambda x, y: np.cov(means, means), "does not depend on x and y"),
     ("scale_for", lambda share: np.sqrt(2 * np.log(1 - share)), "The result is NaN"),
+    ("scale_for", lambda share: np.sqrt(2 * np.log(1 - share) + 0j), "The result is complex", "stretched"),
     ("told_speed", 12.0, "adds 0.667 m/s for each of the 3 m"),
     ("scale_for", lambda share: 2.45 * np.sqrt(share), "was expected"),
     ("scale_for", lambda share: 2.45 * share / 0.95, "k is not proportional to the share"),

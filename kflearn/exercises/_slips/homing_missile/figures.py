@@ -45,7 +45,7 @@ WRONG = {
     ),
     "no root": (
         lambda e: [s.mean(axis=0) for s in three(e)],
-        "These are mean squares, in m²: the root is missing.",
+        "These are mean squares: the root is missing.",
     ),
     "over time": (
         lambda e: [np.sqrt(s.mean(axis=1)) for s in three(e)],

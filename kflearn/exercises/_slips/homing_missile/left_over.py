@@ -160,4 +160,9 @@ WRONG = {
         "That is b·t³ alone, with (e + v·t₀)/t₀³ for b. At t = t₀ it should be e. Fit a·t + b·t³ to both: its "
         "value at t₀ is e, its slope against t is −v.",
     ),
+    "e and v each with its own power": (
+        lambda e, v, t0, t: e * (t / t0) + v * (t / t0) ** 3,
+        "Your error is e·t/t₀ + v·(t/t₀)³. With t = t₀ that is e + v, metres plus metres per second, and it should be e. Find a and b "
+        "from two conditions: the value at t₀ is e, the slope against t is −v.",
+    ),
 }

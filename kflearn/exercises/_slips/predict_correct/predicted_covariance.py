@@ -113,7 +113,7 @@ WRONG = {
     ),
     "P diagonal": (
         [[18, 6], [6, 4]],
-        "That is the result without the corner of P, the 1. It belongs to the new corner, and twice to the upper left.",
+        "That is the result without the corner of P, the 1. It belongs to the new corner, and with 2·dt to the upper left.",
     ),
     "P diagonal, without Q": (
         [[14, 6], [6, 3]],
