@@ -9,7 +9,7 @@ import numpy as np
 
 from kflearn.exercises import _code_of
 from kflearn.exercises._a_boat import STEPS, pda
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 SPEED, CLUTTER = 7.0, 7.5e-4
 

@@ -5,13 +5,11 @@ The words are deterministic (no addresses, no folders), so that a saved notebook
 """
 
 import re
-import textwrap
 
 import numpy as np
 
+from kflearn.exercises._shown import ENTRIES_SHOWN, count, form, is_gaussian, show
 from kflearn.exercises._words import of_text, plain, without_names
-
-ENTRIES_SHOWN = 12  # a larger array is named by its shape
 
 
 class Misfit(Exception):
@@ -51,7 +49,7 @@ def fault(answer, right, subject, rtol, atol, reveal, by_hand=False, related=Tru
         given = _numbers(_in_a_row(answer, right) if by_hand else answer, right)
     except Misfit as instead:
         found = without_names(right, "str" in str(instead)) if named else instead
-        return f"{subject} should be {_form(right.shape, right.dtype.kind)}, but it is {found}."
+        return f"{subject} should be {form(right.shape, right.dtype.kind)}, but it is {found}."
 
     if right.dtype == bool and right.ndim == 0 and reveal:
         return _fault_in_truth(given, right, subject)
@@ -91,10 +89,10 @@ def _fault_in_parts(answer, wanted, subject, rtol, atol, reveal, by_hand):
     given = answer if is_row else list(parts(answer).values())
     if len(given) != len(wanted):
         found = len(given) or f"one of type {type(answer).__name__}"
-        return f"{subject} should hold {_count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
+        return f"{subject} should hold {count(len(wanted), 'value')} ({', '.join(wanted)}), not {found}."
     if isinstance(answer, np.ndarray) and list(map(np.size, given)) != list(map(np.size, wanted.values())):
-        forms = " and ".join(_form(np.shape(part)) for part in wanted.values())
-        return f"{subject} should be {_count(len(wanted), 'value')}, {forms}, but it is {_form(answer.shape)}."
+        forms = " and ".join(form(np.shape(part)) for part in wanted.values())
+        return f"{subject} should be {count(len(wanted), 'value')}, {forms}, but it is {form(answer.shape)}."
     rows = list(zip(given, wanted.values(), wanted, strict=True))
 
     def faults(related=True):
@@ -151,7 +149,7 @@ def _numbers(answer, right):
     if callable(answer):
         raise Misfit("a function: hand in the value itself")
     if isinstance(answer, (list, tuple, range)) and len(answer) != (right.shape or (1,))[0]:
-        raise Misfit(f"a {kind} of {_count(len(answer), 'item')}")
+        raise Misfit(f"a {kind} of {count(len(answer), 'item')}")
     array = _array(answer, f"of type {kind}", np.isnan(right).any() if right.dtype.kind == "f" else False)
     if array.dtype.kind == "b" and array.ndim and right.dtype.kind in "iu" and np.isin(right, (0, 1)).all():
         array = array.astype(int)  # True and False for 1 and 0
@@ -161,7 +159,7 @@ def _numbers(answer, right):
     single = array.size == right.size == 1 and not (right.dtype == bool and array.dtype != bool)  # a place is no truth
     if array.shape != right.shape and not single:
         several = array.ndim > 1 and (isinstance(answer, tuple) or (kind == "list" and np.ndim(answer[0]) > 1))
-        raise Misfit(f"a {kind} of {len(answer)} items" if several else _form(array.shape))
+        raise Misfit(f"a {kind} of {len(answer)} items" if several else form(array.shape))
     array = array.reshape(right.shape).astype(complex if right.dtype.kind == "c" else float)
     strange = np.argwhere(~np.isfinite(array) & np.isfinite(right))
     if len(strange):
@@ -241,14 +239,9 @@ def chosen(answer, choices=frozenset()) -> frozenset:
     return frozenset({str(int(answer))})
 
 
-def _is_gaussian(value):
-    """Anything with a mean and a covariance that are values (an array's mean is a method)."""
-    return all(hasattr(value, name) and not callable(getattr(value, name)) for name in ("mean", "cov"))
-
-
 def parts(value) -> dict:
     """The named parts of a Gaussian or a tuple; of anything else, nothing."""
-    if _is_gaussian(value):
+    if is_gaussian(value):
         return {"the mean": value.mean, "the covariance": value.cov}
     return {f"value {i}": part for i, part in enumerate(value, 1)} if isinstance(value, tuple) else {}
 
@@ -259,39 +252,3 @@ def unfinished(answer, depth=5) -> bool:
         return True
     inside = answer if type(answer) in (list, tuple) and depth else ()
     return any(unfinished(item, depth - 1) for item in inside if item is not None)
-
-
-# ---- values in a few characters
-
-
-def show(value, digits=4) -> str:
-    """A value in a few characters: numbers with four significant digits, a large array by its shape."""
-    if _is_gaussian(value):
-        return f"N({show(value.mean, digits)}, {show(value.cov, digits)})"
-    if isinstance(value, tuple):
-        return f"({', '.join(show(part, digits) for part in value)})"
-    array = np.asarray(value)
-    if array.dtype.kind not in "biufc":
-        return f"a {type(value).__name__}"
-    if array.size > ENTRIES_SHOWN:
-        return f"an array of shape {array.shape}"
-    if array.ndim:
-        return f"[{', '.join(show(row, digits) for row in array)}]"
-    return str(array) if array.dtype == bool else f"{array.item() + 0:.{digits}g}"  # + 0 turns -0 into 0
-
-
-def _form(shape, kind="f"):
-    single = "True or False" if kind == "b" else "one number"
-    return f"an array of shape {shape}" if shape else single
-
-
-def _count(number, noun):
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def listed(choices, names=None) -> str:
-    """Choices in order, on a short line; as they are named, else letters as capitals."""
-    names = names or {}
-    texts = (names.get(choice, choice.upper() if len(choice) == 1 else choice) for choice in choices)
-    line = ", ".join(sorted(texts, key=lambda name: (len(name), name)))
-    return textwrap.shorten(line, 160, placeholder="…")

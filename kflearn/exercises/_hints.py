@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 from kflearn.exercises._watch import Printed, TooLong, watched
 
 

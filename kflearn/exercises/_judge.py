@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kflearn.exercises._answers import show, unfinished
+from kflearn.exercises._answers import unfinished
 from kflearn.exercises._kinds import Exercise
 from kflearn.exercises._messages import Outcome
 from kflearn.exercises._raised import arity_fault, told
 from kflearn.exercises._results import first_endless, of_gaps, of_rows, pair, shape_of, singular, unlike, unusual
+from kflearn.exercises._shown import show
 from kflearn.exercises._watch import TooLong, in_time
 
 RECORDINGS = 20  # on which a filter is judged

@@ -6,10 +6,11 @@ import inspect
 import numpy as np
 
 from kflearn.exercises import _code_of, _rules, progress
-from kflearn.exercises._answers import chosen, fault, is_whole, listed, parts, show, unfinished
+from kflearn.exercises._answers import chosen, fault, is_whole, parts, unfinished
 from kflearn.exercises._explained import in_time, raised
 from kflearn.exercises._messages import NOTHING, Message, Outcome
 from kflearn.exercises._raised import arity_fault
+from kflearn.exercises._shown import listed, show
 from kflearn.exercises._solutions import for_a_cell
 from kflearn.exercises._typed import typed
 from kflearn.exercises._watch import SECONDS, Printed, TooLong, watched
@@ -256,7 +257,7 @@ class FunctionExercise(Exercise):
 
     def _called(self, case):
         """A trial in words."""
-        return ", ".join(f"{name} = {show(value)}" for name, value in zip(self.parameters, case, strict=False))
+        return ", ".join(f"{a} = {show(b, exact=True)}" for a, b in zip(self.parameters, case, strict=False))
 
     def _lesson(self, answer, results):
         """The sentence of the first wrong function in the table that gives the same results."""
@@ -278,8 +279,7 @@ class FunctionExercise(Exercise):
         sure = {self.wrong[label][1] for label in alike if label in self.only_if}
         same = {self.wrong[label][1] for label in alike} if number else sure  # they fail at the same size
         found = [sentence for sentence in self._lessons(answer, results) if number >= 3 or sentence in sure | same]
-        rights = [self._solve(*copy.deepcopy(each)) for each in self.cases[:number]]
-        differs = any(self._compare(*pair) for pair in zip(results, rights, strict=True))
+        differs = any(not self._gives(self._solve, *pair) for pair in zip(self.cases, results, strict=False))
         return found[0] if len(set(found)) == 1 and (differs or found[0] in sure) else None
 
     def _gives(self, wrong, case, result):

@@ -45,7 +45,8 @@ def of_rows(answer, T, states):
     rows = answer if isinstance(answer, (list, tuple)) else []
     if rows and all((isinstance(row, (list, tuple)) and len(row) == 2) or hasattr(row, "cov") for row in rows):
         return f"is one list with a mean and a covariance for each reading: {wanted}"
-    return f"is of type {type(answer).__name__}: {wanted}"
+    found = f"a {type(answer).__name__} of {len(rows)} items" if rows else f"of type {type(answer).__name__}"
+    return f"is {found}: {wanted}"
 
 
 def first_endless(answer):

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kflearn.exercises._answers import show
 from kflearn.exercises._inside import used_R
 from kflearn.exercises._results import pair
+from kflearn.exercises._shown import show
 
 
 class Scene(NamedTuple):

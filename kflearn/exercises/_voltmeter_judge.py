@@ -62,7 +62,7 @@ def two_series(answer, truth):
     for name, found in (("estimates", estimates), ("variances", variances)):
         if found.size != STEPS:
             count = 0 if np.isnan(found).all() else found.size  # None holds none
-            return f"should hold {STEPS} {name}, but it holds {count}: one for each reading, the first included"
+            return f"should hold {STEPS} {name}, but it holds {count}: one for each reading, the first and the missing ones included"
     return None
 
 

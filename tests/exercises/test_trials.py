@@ -6,11 +6,13 @@ An exercise may say why something stays the same: `fixed={"H": "only the positio
 import ast
 import copy
 import inspect
+import re
 import textwrap
 
 import numpy as np
 import pytest
 
+from kflearn.exercises._shown import ENTRIES_SHOWN, show
 from kflearn.exercises.engine import ChoiceExercise, FunctionExercise, OpenExercise
 from tests.exercises.test_exercises import EXERCISES
 
@@ -34,6 +36,23 @@ def is_constant(values):
 
 def _numeric(value):
     return np.asarray(value).dtype.kind in "fc"
+
+
+def short(number):
+    """Whether a number ends after twelve digits or fewer."""
+    return np.isfinite(number) and np.isclose(float(f"{number:.12g}"), number, 1e-13, 0)
+
+
+@per_function
+def test_a_trial_that_is_shown_can_be_tried(each):
+    """Each number that ends is shown to its end, so that the learner finds what the check has found."""
+    for case in each.cases:
+        for part in case:
+            values = np.ravel(part) if _numeric(part) else []
+            if 0 < len(values) <= ENTRIES_SHOWN:
+                text = show(part, exact=True).replace("nan", "0")
+                found = [float(number) for number in re.findall(r"-?\d+\.?\d*(?:e[+-]?\d+)?", text)]
+                assert all(np.isclose(a, b, 1e-12, 0) or not short(b) for a, b in zip(found, values, strict=True))
 
 
 @per_function

@@ -78,6 +78,8 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("wrap", lambda d: (d + 180) % 180 - 180, "the result is never above 0"),
+    ("wrap", lambda d: [int((d + 180) % 360 - 180)], "For `difference = 1129.5` the result is 49"),
     ("right_prediction", symmetric_first, "but you made P, or the result, symmetric", "and then"),
     ("is_a_covariance", two_states, "of which only the first two states are symmetric", "had to"),
     ("wrap", lambda d: np.degrees(np.arctan2(np.sin(d), np.cos(d))), "taken for radians"),

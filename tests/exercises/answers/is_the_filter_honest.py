@@ -65,6 +65,7 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("unknown_sensor", lambda z: (z, z, 1.0), "is a tuple of 3 items: two arrays are wanted"),
     ("interval", (0.051, 7.378), "the limits for a single run"),
     ("interval", (0.1, 9), "Practically every average lies between these limits"),
     ("unknown_sensor", changing, "an R which changes from reading to reading"),

@@ -1,6 +1,6 @@
 """Lesson 22, `window_needed`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def scatter_of(count):

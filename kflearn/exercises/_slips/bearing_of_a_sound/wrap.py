@@ -128,4 +128,8 @@ WRONG = {
         lambda d: math.copysign(abs(d) % 180, d),
         "That takes off half turns: a difference of 190 becomes 10, though that is on the other side. A turn is 360.",
     ),
+    "remainder by half a turn": (
+        lambda d: (d + 180) % 180 - 180,
+        "You took the remainder by 180, half a turn: the result is never above 0. A whole turn is 360.",
+    ),
 }

@@ -1,6 +1,6 @@
 """Lesson 15, `twin_velocity`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def relative_of(velocity):

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 BY_MEMORY = "That is the lesson's other recipe, with the memory of the bias. Inflated by the *variance*, R is the sum of two variances."
 

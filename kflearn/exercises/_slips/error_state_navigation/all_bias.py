@@ -1,6 +1,6 @@
 """Lesson 20, `all_bias`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 ACCELERATIONS = {
     0.06: "what is subtracted too much",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 from kflearn.exercises._slips.history.shared import CONSTANT_GAIN
 
 

@@ -1,6 +1,6 @@
 """Lesson 28, `newest_ten`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 CONSTANT_GAIN, SLOW_GAIN = 0.2207, 0.15
 

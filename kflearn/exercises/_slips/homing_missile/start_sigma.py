@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def nees_of(sigma):

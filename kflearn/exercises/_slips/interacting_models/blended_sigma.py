@@ -2,7 +2,7 @@
 
 import math
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def spread_of(sigma):

@@ -1,6 +1,6 @@
 """Lesson 23, `one_step_back`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def gain_of(belief):

@@ -1,6 +1,6 @@
 """Lesson 17, `declared_kappa`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 FIRST = {
     -1: "Right for α = 1.",

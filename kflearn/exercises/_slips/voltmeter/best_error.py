@@ -117,4 +117,8 @@ WRONG = {
         "1.633 is √(8/3): 8/3 is left when a variance of 8 is fused with one of 4. The source has the variance 4, "
         "and nothing is added to it here: each voltage is drawn anew.",
     ),
+    "error of a reading": (
+        2.002,
+        "2.002 V is the error of believing each reading, as with K = 1. With the K of lesson 4 less is left.",
+    ),
 }

@@ -1,6 +1,6 @@
 """Lesson 25, `behind`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def speed_of(metres):

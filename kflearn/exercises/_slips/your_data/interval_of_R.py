@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 from kflearn.results.consistency import chi_square_interval
 
 LOW, HIGH = chi_square_interval(1, 40)

@@ -1,6 +1,6 @@
 """Lesson 27, `milliseconds_for_seconds`: wrong answers, each with the sentence that it gets."""
 
-from kflearn.exercises._answers import show
+from kflearn.exercises._shown import show
 
 
 def in_thousands(q):
