@@ -114,7 +114,11 @@ RIGHT = [
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("best_error", 2.002, "the error of believing each reading", "square"),
-    ("whole_filter", lambda z, Q, R: corrects_in_gaps(z[~np.isnan(z)], Q, R), "the first and the missing ones included"),
+    (
+        "whole_filter",
+        lambda z, Q, R: corrects_in_gaps(z[~np.isnan(z)], Q, R),
+        "the first and the missing ones included",
+    ),
     ("steady_gain", lambda Q, R: np.sqrt((Q / R) ** 2 + 4 * Q / R) - Q / R, "is divided by 2", "Nearly"),
     ("second_gain", 0.408, "P = 2 V² is what the first reading left", "made the start"),
     ("best_error", 0.707, "K, or the sum of the two precisions"),
