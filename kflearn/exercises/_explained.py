@@ -32,7 +32,7 @@ def _otherwise(exercise, answer, results, rights):
     if not exercise.otherwise or _code_of.names_of_the_notebook(answer):
         return None
     try:
-        if np.iscomplexobj(results):
+        if np.asarray(results).dtype.kind not in "biuf":  # complex numbers, or text
             return None
         return exercise.otherwise(np.asarray(results, float), np.asarray(rights, float))
     except Exception:  # results that are no numbers, or not of one shape
@@ -54,7 +54,8 @@ def explained(exercise, answer, results, rights, faults) -> str:
     words = f"for `{exercise._called(cases[first])}` {faults[first]}"
     lead = "" if exercise.slow else _drawn(exercise, answer) or _unused(exercise, answer, close)
     lead = lead or _of_the_notebook(answer, names)
-    lead = lead or _not_a_number(results, rights, cases) or _of_matrices(answer, cases, good, names)
+    lead = lead or _rules_inputs.same_number(results) or _not_a_number(results, rights, cases)
+    lead = lead or _of_another_form(results, rights, close) or _of_matrices(answer, cases, good, names)
     lead = lead or (_fixed_size(exercise, answer) if "should be an array of shape" in words else "")
     lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
     if not lead:
@@ -162,6 +163,16 @@ def _not_a_number(results, rights, cases):
     return ""
 
 
+def _of_another_form(results, rights, close):
+    """The right numbers in arrays of another shape."""
+    rows = [(_rules_inputs.real(one), _rules_inputs.real(other)) for one, other in zip(results, rights, strict=True)]
+    if any(not one or not other or len(one) != len(other) for one, other in rows):
+        return ""
+    flat = [(np.ravel(a), np.ravel(b)) for one, other in rows for a, b in zip(one, other, strict=True)]
+    same = all(a.size == b.size and close(a, b) for a, b in flat)
+    return "The numbers are right, but not their form." if same else ""
+
+
 def _of_matrices(answer, cases, good, names):
     """Right where a matrix holds one number, wrong for all others: what is different for matrices."""
     found = [i for i, part in enumerate(cases[0]) if np.ndim(part) == 2]
@@ -203,7 +214,7 @@ def _size(results, rights, cases):
         same = all(np.allclose(row[np.isfinite(row)], one, rtol=1e-6) for row, one in zip(ratios, first, strict=True))
     except (IndexError, TypeError, ValueError):
         return ""
-    if same and len(set(sizes)) > 2:
+    if same and first.any() and len(set(sizes)) > 2:
         for power in (1, -1, 0.5, -0.5):
             if np.allclose(first / sizes**power, first[0] / sizes[0] ** power, rtol=1e-6):
                 return "The result is wrong by a factor that follows how many numbers come in: is one of these numbers typed in, or a division by `len(...)` missing?"
@@ -233,6 +244,8 @@ def _count_wrong(result, right, close):
 
 def _entries(name, mine, theirs, close, several):
     """What is right of one part in all trials."""
+    if any(map(np.iscomplexobj, mine)):
+        return ""
     try:
         pairs = [(np.asarray(one, float), np.asarray(other, float)) for one, other in zip(mine, theirs, strict=True)]
     except (TypeError, ValueError):
@@ -245,4 +258,4 @@ def _entries(name, mine, theirs, close, several):
     wrong = [at for at in np.ndindex(shape) if not all(close(one[at], other[at]) for one, other in pairs)]
     if len(wrong) == np.prod(shape):
         return ""
-    return f"Of {name} only {', '.join(str(list(at)) for at in wrong)} is wrong."
+    return f"Of {name} only {', '.join(str(list(at)) for at in wrong)} {'are' if wrong[1:] else 'is'} wrong."

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from kflearn.exercises._shown import count
+
 
 def pair(answer):
     """Mean and covariance of what a filter returned."""
@@ -32,6 +34,8 @@ def unlike(answer, shape):
     """What is said of a result that is not one array of this shape; None of one that is."""
     if isinstance(answer, tuple) and len(answer) != shape[0]:
         return f"is a tuple of {len(answer)} items: one array of shape {shape} is wanted"
+    if not isinstance(answer, (np.ndarray, np.generic, list, tuple, int, float)):
+        return f"is of type {type(answer).__name__}: an array of shape {shape} is wanted"
     try:
         found = np.shape(answer)
     except ValueError:
@@ -45,7 +49,7 @@ def of_rows(answer, T, states):
     rows = answer if isinstance(answer, (list, tuple)) else []
     if rows and all((isinstance(row, (list, tuple)) and len(row) == 2) or hasattr(row, "cov") for row in rows):
         return f"is one list with a mean and a covariance for each reading: {wanted}"
-    found = f"a {type(answer).__name__} of {len(rows)} items" if rows else f"of type {type(answer).__name__}"
+    found = f"a {type(answer).__name__} of {count(len(rows), 'item')}" if rows else f"of type {type(answer).__name__}"
     return f"is {found}: {wanted}"
 
 

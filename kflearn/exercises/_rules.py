@@ -18,7 +18,7 @@ from kflearn.exercises._answers import parts
 TRANSFORMS = [
     (lambda r: np.sqrt(r), "is the square root of what is wanted. Is there a root too many, or a square missing?"),
     (lambda r: r**2, "is the square of what is wanted. Is there a square too many, or a root missing?"),
-    (lambda r: 1 - r, "is 1 minus what is wanted."),
+    (lambda r: np.where((abs(r) > 0.01) & (abs(r) < 100), 1 - r, np.nan), "is 1 minus what is wanted."),
     (lambda r: 1 / r, "is 1 divided by what is wanted."),
     (lambda r: 2 * r, "is twice what is wanted."),
     (lambda r: r / 2, "is half of what is wanted."),
@@ -93,7 +93,9 @@ def _relation(results, rights, close):
         return None
     with np.errstate(all="ignore"):
         found = [
-            words for change, words in TRANSFORMS if all(_equal(close, one, change(right)) for one, right in pairs)
+            words
+            for change, words in TRANSFORMS
+            if all(_equal(close, one, change(right), right) for one, right in pairs)
         ]
     if found or len(pairs) == 1:
         return found[0] if len(found) == 1 else MOVED if not found and _moved(pairs, close) else None
@@ -123,9 +125,10 @@ def _constant(pairs, close):
     return None
 
 
-def _equal(close, one, other):
-    """Equal, where the relation makes a finite number of what was wanted."""
-    return bool(np.isfinite(other).all()) and close(one, other)
+def _equal(close, one, other, right):
+    """Equal, where the relation makes a finite number of each that was wanted."""
+    missing = np.isnan(right) if np.shape(other) == np.shape(right) else False
+    return bool((np.isfinite(other) | missing).all()) and close(one, other)
 
 
 def _rounded(pairs):

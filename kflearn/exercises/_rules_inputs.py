@@ -8,6 +8,7 @@ from itertools import combinations, permutations
 import numpy as np
 
 from kflearn.exercises._answers import parts
+from kflearn.exercises._shown import show
 
 # What is made of one argument, and what is said of a function that is right for that; {a} is the argument's name
 CHANGED = [
@@ -43,8 +44,11 @@ def _row(value):
 def as_if(results, exercise, close) -> str | None:
     """What is said of a function that is right for other arguments, in all trials; None where none or several fit.
 
-    Nothing is said where True or False is wanted: in so few bits too much looks alike.
+    Nothing is said where True or False is wanted: in so few bits too much looks alike; nor of NaN alone, or the same
+    number in all trials.
     """
+    if same_number(results) or not _finite(results):
+        return None
     cases, names = exercise.cases, exercise.parameters
     if isinstance(exercise._solve(*copy.deepcopy(cases[0])), (bool, np.bool_)):
         return None
@@ -91,11 +95,35 @@ def _moves(function, solve, case, i, close, change):
             return None  # True and False have no other values but each other
         other = (*case[:i], change(np.asarray(case[i], float)), *case[i + 1 :])
         before, after, *right = (each(*copy.deepcopy(c)) for each in (function, solve) for c in (case, other))
-        if np.asarray(_values(right[0])[0]).dtype.kind != "f" or all(map(close, *map(_values, right))):
+        if np.asarray(values(right[0])[0]).dtype.kind != "f" or all(map(close, *map(values, right))):
             return None
-        return not all(np.array_equal(*pair) for pair in zip(_values(before), _values(after), strict=True))
+        return not all(np.array_equal(*pair) for pair in zip(values(before), values(after), strict=True))
     except Exception:  # values that cannot be changed so
         return None
+
+
+def same_number(results) -> str:
+    """What is said of results that hold one number, the same in all trials; empty of others."""
+    arrays = [array for each in results for array in real(each) or [np.array([0.0, 1.0])]]  # no numbers: no constant
+    numbers = np.concatenate([np.ravel(array) for array in arrays])
+    if not numbers.size or np.ptp(numbers) != 0:  # NaN too
+        return ""
+    what = "The result is" if len(numbers) == len(results) else "All numbers of the result are"
+    return f"{what} {show(numbers[0])}, in every trial."
+
+
+def _finite(results):
+    """Whether any number in the results is finite."""
+    return any(np.isfinite(array).any() for each in results for array in real(each) or [])
+
+
+def real(result):
+    """The parts of a result as arrays; None where one is not of real numbers: text, True and False, complex numbers."""
+    try:
+        arrays = [np.asarray(part) for part in values(result)]
+    except ValueError:  # rows of unequal length
+        return None
+    return arrays if all(array.dtype.kind in "iuf" for array in arrays) else None
 
 
 def _exchanged(case, i, j):
@@ -111,7 +139,7 @@ def _fits(results, cases, solve, close, change):
     try:
         for result, case in zip(results, cases, strict=True):
             other = solve(*change(copy.deepcopy(case)))
-            rows = [_values(each) for each in (result, other)]
+            rows = [values(each) for each in (result, other)]
             if len(rows[0]) != len(rows[1]) or not all(map(close, *rows)):
                 return False
     except Exception:  # inputs that cannot be changed in this way, or a solution that does not take them
@@ -119,7 +147,7 @@ def _fits(results, cases, solve, close, change):
     return True
 
 
-def _values(result):
+def values(result):
     return list(result) if isinstance(result, (list, tuple)) else list(parts(result).values()) or [result]
 
 

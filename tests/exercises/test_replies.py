@@ -136,7 +136,7 @@ def test_the_example_shows_all_entries_that_are_named():
     exercise = asked("bearing_of_a_sound.right_update")
     text = exercise.check(update).text
     shown = [exercise._called(case) for case in exercise.cases if np.all(case[1] > 0.5)]
-    assert "only [0, 1], [1, 1] is wrong" in text
+    assert "only [0, 1], [1, 1] are wrong" in text
     assert any(f"`{case}`" in text for case in shown), text
 
 

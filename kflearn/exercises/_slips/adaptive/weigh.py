@@ -176,6 +176,7 @@ WRONG = (
         "logarithms added up": (
             lambda log_weights, log_likelihoods: (s := log_weights + log_likelihoods) - np.log(np.sum(s)),
             "You add up logarithms and take the logarithm of that sum; they are negative, so there is none. The weights are added up: log Σ exp(s).",
+            r"np\.log\(",
         ),
     }
 )

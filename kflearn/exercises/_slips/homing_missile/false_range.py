@@ -79,6 +79,7 @@ WRONG = {
     "1 − K, not a number": (
         lambda s, turn, r: np.sqrt(max(one_minus_K(s, turn, r), 0) or np.nan),
         "That is √((1 − K)·P), and where K is above 1 not a number. P shrinks by 1 − K·H.",
+        r"sqrt|\*\* *\(?(0?\.5|1 */ *2)",
     ),
     "1 − K, as a variance": (
         lambda s, turn, r: one_minus_K(s, turn, r),
