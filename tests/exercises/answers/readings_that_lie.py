@@ -124,7 +124,15 @@ RIGHT = [
 ]
 
 
+def widths_added(away, P, Q, R):
+    width, n = 3 * np.sqrt(P + Q + R), 1
+    while width < away:
+        width, n = width + 3 * np.sqrt(Q), n + 1
+    return n
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("steps_shut", widths_added, "Standard deviations do not add"),
     ("steps_shut", never_open, "A refused reading does not make P smaller"),
     ("speaker", MEDIAN, "You sort raw bearings"),
     ("is_refused", lambda *given: nis(*given[:4]), "You return the NIS"),

@@ -114,5 +114,9 @@ WRONG = (
             growing_faster,
             "It answers as if P grew by Q, then by 2Q, then by 3Q. Each step adds Q alone: after n steps that is nQ.",
         ),
+        "the width grows by 3√Q": (
+            lambda a, P, Q, R: 1 + max(np.ceil((a - 3 * np.sqrt(P + Q + R)) / (3 * np.sqrt(Q))), 0),
+            "Yours widens by 3√Q in each step. Standard deviations do not add: S grows by Q, and the width is 3√S.",
+        ),
     }
 )

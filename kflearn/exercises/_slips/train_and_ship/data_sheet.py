@@ -127,4 +127,8 @@ WRONG = {
         lambda: 36 / (2 * np.log10(2)),
         "59.8 comes from `np.log10(2)`. The formula holds with the natural logarithm, `np.log(2)`.",
     ),
+    "both axes, from 1.18": (
+        lambda: 2 * (6 / 1.18) ** 2,
+        "51.7 is 2σ², the errors of both axes added up. R is the variance of one axis, σ².",
+    ),
 }
