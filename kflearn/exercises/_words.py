@@ -43,7 +43,8 @@ def not_there(answer, choices, several=False) -> str:
     several: whether more than one is wanted.
     """
     if all(len(choice) == 1 and choice.isalpha() for choice in choices):
-        wanted = 'letters are wanted, such as {"X", "Y"}: ' if several else "a letter is wanted, in quotation marks: "
+        one = "a letter alone is wanted: " if isinstance(answer, str) else "a letter is wanted, in quotation marks: "
+        wanted = 'letters are wanted, such as {"X", "Y"}: ' if several else one
         return "" if isinstance(answer, str) and len(answer.strip()) < 3 else wanted
     words = all(len(choice) > 1 for choice in choices - {"true"})
     if isinstance(answer, str):

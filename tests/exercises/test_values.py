@@ -151,6 +151,7 @@ SAID = [
     (larger_R, "d", "✗ Not yet. Choose from A, B, C."),
     (larger_R, ["a", "b"], "✗ Not yet. Choose one, please."),
     (larger_R, 3.5, "A letter is wanted, in quotation marks: choose from A, B, C."),
+    (larger_R, "I think that it is the second", "A letter alone is wanted: choose from A, B, C."),
     (larger_R, np.nan, "A letter is wanted, in quotation marks: choose from A, B, C."),
     (larger_R, {}, "A letter is wanted, in quotation marks: choose from A, B, C."),
     (larger_R, np.zeros(1000), "A letter is wanted, in quotation marks: choose from A, B, C."),

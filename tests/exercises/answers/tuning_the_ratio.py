@@ -23,6 +23,7 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("which_knob", "A, then C", "C is enough"),
     ("R_with_drift", lambda z: np.mean(np.diff(z) ** 2), "Halve it", "Nearly"),
     ("steady_sigma", 0.301, "Either K is not divided by 2"),
     ("data_sheets", [0.09, 6.25, 0.0208], "in another order"),
