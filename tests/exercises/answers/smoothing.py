@@ -82,7 +82,7 @@ TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
     ("one_step_back", (6, 1), "right for G = 1"),
     ("smoothed_cov", lambda P, B: 1 / (1 / P + 1 / B), "entry by entry"),
     ("real_gap", 7.4, "About 7 % is the difference"),
-    ("real_gap", "a little smaller, by less than a tenth", "A letter is wanted", "not among"),
+    ("real_gap", "a little smaller, by less than a tenth", "A letter alone is wanted", "not among"),
     (
         "count_once",
         lambda x, P, x_back, P_back, z, R: (
