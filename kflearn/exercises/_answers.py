@@ -224,7 +224,9 @@ def chosen(answer, choices=frozenset()) -> frozenset:
         whole = plain(answer, choices)
         if whole in choices:
             return frozenset({whole})
-        found = frozenset(part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b|\bor\b|\bthen\b", answer)) - {""}
+        found = frozenset(
+            part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b|\bor\b|\bthen\b", answer)
+        ) - {""}
         letters = frozenset(whole.replace(" ", ""))
         return letters if letters and letters <= choices and not found <= choices else found
     if isinstance(answer, bool):
