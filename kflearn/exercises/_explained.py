@@ -54,7 +54,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     words = f"for `{exercise._called(cases[first])}` {faults[first]}"
     lead = "" if exercise.slow else _drawn(exercise, answer) or _unused(exercise, answer, close)
     lead = lead or _of_the_notebook(answer, names)
-    lead = lead or _rules_inputs.same_number(results) or _not_a_number(results, rights, cases)
+    lead = lead or _rules_inputs.same_number(results, rights) or _not_a_number(results, rights, cases)
     lead = lead or _of_another_form(results, rights, close) or _of_matrices(answer, cases, good, names)
     lead = lead or (_fixed_size(exercise, answer) if "should be an array of shape" in words else "")
     lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
@@ -76,7 +76,7 @@ def raised(exercise, answer, error, case, number) -> tuple[str, str]:
     remark = _of_the_notebook(answer, exercise.parameters)
     if not remark and isinstance(error, (ValueError, IndexError)):
         remark = _fixed_size(exercise, answer)
-    if not remark and sizes and isinstance(error, IndexError):
+    if not remark and sizes and isinstance(error, IndexError) and "out of bounds" in str(error):
         remark = "The trials have several sizes: an index that is typed in may lie beyond the end."
     singular = isinstance(error, np.linalg.LinAlgError)
     if not remark and singular:
@@ -217,7 +217,7 @@ def _size(results, rights, cases):
     if same and first.any() and len(set(sizes)) > 2:
         for power in (1, -1, 0.5, -0.5):
             if np.allclose(first / sizes**power, first[0] / sizes[0] ** power, rtol=1e-6):
-                return "The result is wrong by a factor that follows how many numbers come in: is one of these numbers typed in, or a division by `len(...)` missing?"
+                return "The result is wrong by a factor that follows how many numbers come in: is one of these numbers typed in, or a division by `len(...)`, as in `np.mean`, missing or one too many?"
     return ""
 
 

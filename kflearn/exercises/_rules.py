@@ -132,7 +132,9 @@ def _equal(close, one, other, right):
 
 
 def _rounded(pairs):
-    """Rounded or cut off inside the function."""
+    """Rounded or cut off inside the function; of zeros alone that cannot be told."""
+    if not any(result.any() for result, _ in pairs):
+        return None
     for digits in range(5):
         if all((np.round(right, digits) == result).all() for result, right in pairs):
             return f"is rounded to {digits} digits after the point: return all of them, and round only what you print."

@@ -47,7 +47,7 @@ def as_if(results, exercise, close) -> str | None:
     Nothing is said where True or False is wanted: in so few bits too much looks alike; nor of NaN alone, or the same
     number in all trials.
     """
-    if same_number(results) or not _finite(results):
+    if same_number(results, []) or not _finite(results):
         return None
     cases, names = exercise.cases, exercise.parameters
     if isinstance(exercise._solve(*copy.deepcopy(cases[0])), (bool, np.bool_)):
@@ -102,14 +102,15 @@ def _moves(function, solve, case, i, close, change):
         return None
 
 
-def same_number(results) -> str:
+def same_number(results, rights) -> str:
     """What is said of results that hold one number, the same in all trials; empty of others."""
     arrays = [array for each in results for array in real(each) or [np.array([0.0, 1.0])]]  # no numbers: no constant
     numbers = np.concatenate([np.ravel(array) for array in arrays])
     if not numbers.size or np.ptp(numbers) != 0:  # NaN too
         return ""
     what = "The result is" if len(numbers) == len(results) else "All numbers of the result are"
-    return f"{what} {show(numbers[0])}, in every trial."
+    small = not numbers.any() and all(np.all(abs(array) < 1) for each in rights for array in real(each) or [])
+    return f"{what} {show(numbers[0])}, in every trial{': do `//` or `int` cut it off' if small else ''}{'?' if small else '.'}"
 
 
 def _finite(results):

@@ -85,7 +85,7 @@ def test_two_mistakes_in_the_weights_are_both_named():
         b = clutter * 2 * np.pi * np.sqrt(S) * (1 - 0.99 * detection) / detection
         return np.append(b, e) / (b + e.sum())
 
-    for words in ("2π√S belongs to readings in the plane", "9.21 is the limit for readings in the plane"):
+    for words in ("2π√S belongs to readings in the plane", "9.21 is the limit in the plane"):
         assert_told("whose_is_it.weights", weights, words)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 import kflearn
 from kflearn import boats, fit, random_walk
-from kflearn.exercises import _code_of, _watch
+from kflearn.exercises import _code_of, _watch, consider_filter
 from kflearn.exercises._combined import combined
 from kflearn.exercises._thrown_ball_signs import by_distance
 from kflearn.exercises._typed import typed as near
@@ -200,3 +200,9 @@ def test_an_argument_that_cancels_is_not_called_unused():
     cancels = exercise.check(lambda x, P, F, Q, x_next, P_next: (x - x + F @ x_next, P + F @ P_next @ F.T + Q)).text
     assert "does not depend on" not in cancels
     assert "does not depend on" in exercise.check(lambda x, P, F, Q, x_next, P_next: (x_next + x, P_next + P + Q)).text
+
+
+def test_an_index_that_is_no_index_lies_beyond_no_end():
+    answer = written("def answer(x, P, z, H, R, considered):\n    K = P @ H.T\n    K[z] = 0\n    return x, P")
+    said = consider_filter.late_row.check(answer).sentence
+    assert "IndexError" in said and "beyond the end" not in said, said

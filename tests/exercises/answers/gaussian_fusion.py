@@ -20,6 +20,7 @@ def one_part(var_x, var_z):
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("common_cause", lambda P, R, c: (P - c) / (P + P - 2 * c), "does not depend on R", "grid"),
     ("common_cause", on_a_grid, "multiples of 0.05 between 0 and 1"),
     ("third_opinion", 61.6667 + 0.8333**0.5 / (0.8333**0.5 + 2) * 4.3333, "two standard deviations"),
     ("third_opinion", 61.6667 + 5 / 6 * 4.3333, "comes from K = 0.8333"),

@@ -25,7 +25,12 @@ def K_in_any_case(K, n):
     return np.array(w)
 
 
+def falling(z, K):
+    return (1 - K) ** np.arange(len(z))[::-1]
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("mended", lambda z, K: np.mean(falling(z, K) * z) / np.sum(falling(z, K)), "missing or one too many"),
     ("newest_ten", 0.7, "That leaves 0.3 to the readings older"),
     ("behind", 2.0, "the reading leaves 1.792 s"),
     ("behind", np.inf, "It does not grow for ever"),

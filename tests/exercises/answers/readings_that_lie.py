@@ -131,7 +131,13 @@ def widths_added(away, P, Q, R):
     return n
 
 
+def three_degrees(x, P, z, Q, R):
+    y, P = angle_difference(z, x), P + Q
+    return (x, P) if abs(y) > 3 else (x + P / (P + R) * y, P * R / (P + R))
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("gated_step", three_degrees, "Your gate is 3 degrees wide"),
     ("steps_shut", widths_added, "Standard deviations do not add"),
     ("steps_shut", never_open, "A refused reading does not make P smaller"),
     ("speaker", MEDIAN, "You sort raw bearings"),

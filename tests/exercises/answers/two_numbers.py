@@ -21,6 +21,7 @@ def between_the_shares(share):
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("scale_for", lambda share: 0.0, "does not depend on share", "stretched"),
     ("table_length", 1.8, "one variance less the corner"),
     ("table_of", lambda x, y: np.cov(means, means), "does not depend on x and y"),
     ("scale_for", lambda share: np.sqrt(2 * np.log(1 - share)), "The result is NaN"),

@@ -113,6 +113,7 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("steady_gain", lambda Q, R: Q // (Q + R), "in every trial: do `//` or `int` cut it off?"),
     ("best_error", 2.002, "the error of believing each reading", "square"),
     (
         "whole_filter",

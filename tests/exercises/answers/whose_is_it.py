@@ -106,7 +106,14 @@ def nearest_by_hand(z, start, clutter):
     return np.array(found)
 
 
+def times_S(z, expected, S, detection, clutter):
+    nis, b = (z - expected) ** 2 * S, clutter * np.sqrt(2 * np.pi * S) * (1 - 0.99 * detection) / detection
+    e = np.append(b, np.where(nis <= 6.635, np.exp(-nis / 2), 0))
+    return e / e.sum()
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("weights", lambda *given: times_S(*given), "divided by S, not multiplied"),
     ("false_in_gate", 0.2, "a gate of 400 m²"),
     ("zeros", [2, 7], "There is no reading 7"),
     ("boat", tracker(nearest, np.inf), "200 m from where the boat must be moves your boat"),

@@ -60,7 +60,7 @@ WRONG = {
     ),
     "y yᵀ of all": (
         lambda y, H, P: y @ y.T / len(y) - H @ P @ H.T,
-        "Your C has one row for each innovation, as `y @ y.T` has. The rows of y are the innovations, so the sum of all y yᵀ is `y.T @ y`.",
+        "Your C has one row for each innovation, as `y @ y.T` or `y.T * y` has. The rows of y are the innovations, so the sum of all y yᵀ is `y.T @ y`.",
     ),
     "with a floor": (
         lambda y, H, P: np.maximum(estimate(y, H, P), 0.01),

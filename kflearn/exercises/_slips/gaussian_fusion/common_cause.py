@@ -9,6 +9,8 @@ BOTH_PLACES = "The term 2K(1 − K)c changes both: c is taken away on top, and 2
 
 def on_a_grid(results, rights):
     """What is said of gains that are steps of a grid, the nearest to the right ones between 0 and 1."""
+    if np.ptp(results) == 0:
+        return None
     for count in range(2, 2001):
         steps = results * count
         if np.allclose(steps, np.round(steps), rtol=0, atol=1e-7):

@@ -124,6 +124,10 @@ WRONG = (
             step(9, "S"),
             "Your gate is 9σ wide. 3σ squared on both sides is y² > 9 S; not squared it is |y| > 3√S.",
         ),
+        "without S": (
+            lambda x, P, z, Q, R: (x, P + Q) if angle_difference(z, x) ** 2 > 9 else corrected(x, P, z, Q, R),
+            "Your gate is 3 degrees wide. It is 3 standard deviations wide: y² > 9 S.",
+        ),
         "only if": (
             lambda x, P, z, Q, R: (x, P + Q),
             "You refuse every reading. One inside the gate corrects x and P.",
@@ -132,7 +136,7 @@ WRONG = (
     | {f"{n} sigmas": (step(n, "S"), wide(n)) for n in (1, 2, 2.5, 4, 5, 6)}
     | combined(
         step,
-        width={3: "", 4: wide(4), 2: wide(2), 5: wide(5), np.sqrt(3): "The limit of y²/S is 9, the square of 3."},
+        width={3: "", 4: wide(4), 2: wide(2), np.sqrt(3): "The limit of y²/S is 9, the square of 3."},
         variance={
             "S": "",
             "old": "The gate uses the old P: predict first, S = P + Q + R.",

@@ -8,6 +8,8 @@ def stretched(scales, rights):
     """What is said of the scale of one number, or of the share, times a factor that is the same for all shares."""
     from scipy.stats import norm
 
+    if np.ptp(scales) == 0:
+        return None
     each = scales / (1 - np.exp(-(rights**2) / 2))
     if np.ptp(each) < 1e-3 * each[0]:
         return f"Your k is {each[0]:.3g} times the share. k is not proportional to the share: solve share = 1 − exp(−k²/2) for k."

@@ -166,7 +166,7 @@ WRONG = (
             "σ": "6.635 is the limit of a square: the gate reaches to √6.635 = 2.58 standard deviations, not 6.635.",
             "out": "Your gate is turned round: it keeps the readings outside.",
             "3": "Your gate reaches to 3 standard deviations. P_G = 0.99 has the limit 6.635, which is 2.58².",
-            "plane": "9.21 is the limit for readings in the plane. On a line 99 % have a NIS up to 6.635.",
+            "plane": "Your gate lets readings in whose NIS is above 6.635. On a line 99 % have a NIS up to 6.635; 9.21 is the limit in the plane.",
         },
         missed={
             "P_G": "",
@@ -287,6 +287,14 @@ WRONG = (
         "first alone": (
             first_alone,
             "That is the first weight, and it is right. Return those of the readings as well, (N + 1,) in all.",
+        ),
+        "times S": (
+            lambda *given: weighed(
+                *given,
+                e=lambda nis, z, expected, S, *others: np.exp(-((z - expected) ** 2) * S / 2),
+                gate=lambda z, expected, S, *others: (z - expected) ** 2 * S <= 6.635,
+            ),
+            "The NIS is divided by S, not multiplied by it: (z − expected)²/S.",
         ),
     }
 )
