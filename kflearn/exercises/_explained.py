@@ -244,9 +244,9 @@ def _count_wrong(result, right, close):
 
 def _entries(name, mine, theirs, close, several):
     """What is right of one part in all trials."""
-    if any(map(np.iscomplexobj, mine)):
-        return ""
     try:
+        if any(map(np.iscomplexobj, mine)):
+            return ""
         pairs = [(np.asarray(one, float), np.asarray(other, float)) for one, other in zip(mine, theirs, strict=True)]
     except (TypeError, ValueError):
         return ""

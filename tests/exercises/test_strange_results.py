@@ -59,6 +59,13 @@ def test_of_another_form_no_product_is_blamed(each, change):
 
 
 @per_function
+@pytest.mark.parametrize("more", [lambda r: (r, np.ones(4)), lambda r: [r, [1.0, [2.0]]], lambda r: {"it": r}])
+def test_more_than_is_wanted_can_be_read(each, more):
+    outcome = each.check(lambda *inputs: more(each._solve(*inputs)))
+    assert "cannot be read" not in outcome.sentence, outcome
+
+
+@per_function
 def test_text_is_called_text(each):
     outcome = each.check(lambda *inputs: str(each._solve(*inputs)))
     assert outcome.status == "wrong" and ("text" in outcome.sentence or "type str" in outcome.sentence), outcome

@@ -149,7 +149,13 @@ RIGHT = [
 ]
 
 
+def last_thirty(y, H, P):
+    y = y[-30:]
+    return y.T @ y / len(y) - H @ P @ H.T
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("matrix_R", last_thirty, "You use the last 30 innovations only"),
     ("window_needed", 50, "R̂ scatters by S √(2/N) = 0.26 m²"),
     ("unknown_sensor", learnt_Q, "Q is given, and right; what changes is the sensor: learn R"),
     ("unknown_sensor", rooted_R, "or a root, stand in place of a variance"),

@@ -9,6 +9,7 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("dark_time", lambda dv, b, far: (-dv + np.sqrt(dv**2 - 2 * b * far)) / b, "Under the root it is plus"),
     ("all_bias", 20, "an acceleration of 0.0444 m/s²"),
     ("all_bias", (1 / 0.94 - 1) * 450, "what the sensor shows"),
     ("goes_back", [2, 4], "places of two states"),

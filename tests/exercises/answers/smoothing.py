@@ -62,6 +62,12 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("smoothed_cov", lambda P, back: np.linalg.inv(np.linalg.inv(P) + back), "Both are inverted"),
+    (
+        "smoothed_cov",
+        lambda P, back: 2 * np.linalg.inv(np.linalg.inv(P) + np.linalg.inv(back)),
+        "mean of the two inverses",
+    ),
     ("real_gap", "none", "About two standard errors are a weak sign", "among the choices"),
     ("one_step_back", (6 + 0.75 * (4 - 6), 2 + 0.75**2 * (3 - 4)), "begins with N(6, 2)"),
     ("step_back", Q_first, "as if P⁻ were F (P + Q) Fᵀ"),

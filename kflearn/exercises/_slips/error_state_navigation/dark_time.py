@@ -203,4 +203,8 @@ WRONG = {
         "That solves (dv + b)·t²/2 = allowed, as if dv were an acceleration too. A wrong speed makes metres that "
         "grow with t; only the bias's grow with t².",
     ),
+    "minus under the root, NaN where there is none": (
+        lambda dv, b, allowed: (-dv + np.sqrt(dv**2 - 2 * b * allowed)) / b,
+        SIGN,
+    ),
 }

@@ -118,4 +118,16 @@ WRONG = {
         "That is whichever of the two has the smaller determinant. Both know something: fuse them, and the result "
         "is surer than either.",
     ),
+    "one inverse forgotten": (
+        lambda P, P_back: np.linalg.inv(np.linalg.inv(P) + P_back),
+        "You added P_back to the inverse of P. Both are inverted: P⁻¹ + P_back⁻¹.",
+    ),
+    "the other inverse forgotten": (
+        lambda P, P_back: np.linalg.inv(P + np.linalg.inv(P_back)),
+        "You added P to the inverse of P_back. Both are inverted: P⁻¹ + P_back⁻¹.",
+    ),
+    "mean of the inverses": (
+        lambda P, P_back: 2 * np.linalg.inv(np.linalg.inv(P) + np.linalg.inv(P_back)),
+        "Twice too large, as from the mean of the two inverses: add them up.",
+    ),
 }

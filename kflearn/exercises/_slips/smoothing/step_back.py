@@ -287,4 +287,11 @@ WRONG = {
         "The mean is right. In the covariance each entry of P_next − P⁻ is multiplied by the square of an entry of "
         "G. For matrices G stands on the left and Gᵀ on the right, with `@`.",
     ),
+    "exact next": (
+        lambda x, P, F, Q, x_next, P_next: (
+            rts(x, P, F, Q, x_next, P_next)[0],
+            rts(x, P, F, Q, x_next, 0 * P_next)[1],
+        ),
+        "The mean is right. Your covariance is that for a step k+1 which is known exactly: P_next is missing, P + G (P_next − P⁻) Gᵀ.",
+    ),
 }
