@@ -294,7 +294,7 @@ WRONG = (
                 e=lambda nis, z, expected, S, *others: np.exp(-((z - expected) ** 2) * S / 2),
                 gate=lambda z, expected, S, *others: (z - expected) ** 2 * S <= 6.635,
             ),
-            "The NIS is divided by S, not multiplied by it: (z − expected)²/S.",
+            "You give all weight to none of them, as if no reading were in the gate. Is the NIS (z − expected)²/S, with a minus, and divided by S?",
         ),
     }
 )
