@@ -57,4 +57,8 @@ WRONG = WRONG_STEPS | {
         lambda x, P, z, H, R: corrected(x, P, z[:1], H[:1], R[:1, :1]),
         "That is the correction by the first number of z alone. All of them count: use the whole z, H and R.",
     ),
+    "the first entry for H x": (
+        lambda x, P, z, H, R: (x + P @ H.T @ np.linalg.inv(H @ P @ H.T + R) @ (z - x[0]), corrected(x, P, z, H, R)[1]),
+        "Your P is right. But you took x[0] away from z: compare the reading with the predicted reading, H x.",
+    ),
 }
