@@ -96,7 +96,7 @@ def from_the_first_entry(x, P, z, H, R):
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
-    ("correct", from_the_first_entry, "You took x[0] away from z"),
+    ("correct", from_the_first_entry, "you took x[0] away from z"),
     ("misprints", old_innovation, "with x_pred = F @ x", "must be F @ x"),
     ("printed_position", "ABD", "turns it into a step of 4 m"),
     ("printed_position", "AD", "only 0.5 m is wanted"),
