@@ -38,6 +38,7 @@ BUILT = (  # beginnings of names: a third of the time that all tests take
     "tests/dev/test_hard_lessons.py",
     "tests/dev/test_hard_security.py",
     "tests/dev/test_hard_values.py",
+    "tests/dev/test_named.py::test_what_",
     "tests/dev/test_page.py",
     "tests/dev/test_pdf.py",
     "tests/dev/test_site.py",

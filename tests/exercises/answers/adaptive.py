@@ -155,6 +155,7 @@ def last_thirty(y, H, P):
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("matrix_R", lambda y, H, P: y.T @ y / len(y) - P, "You took P off C"),
     ("matrix_R", last_thirty, "You use the last 30 innovations only"),
     ("window_needed", 50, "R̂ scatters by S √(2/N) = 0.26 m²"),
     ("unknown_sensor", learnt_Q, "Q is given, and right; what changes is the sensor: learn R"),

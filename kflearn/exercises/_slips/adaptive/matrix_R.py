@@ -95,4 +95,8 @@ WRONG = {
         lambda y, H, P: y[-30:].T @ y[-30:] / len(y[-30:]) - H @ P @ H.T,
         "You use the last 30 innovations only. Here C is the mean over all that are given.",
     ),
+    "P for H P Hᵀ": (
+        lambda y, H, P: y.T @ y / len(y) - P,
+        "You took P off C. The sensors see P as H P Hᵀ, which has as many rows as there are sensors.",
+    ),
 }
