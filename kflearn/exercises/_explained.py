@@ -57,7 +57,9 @@ def explained(exercise, answer, results, rights, faults) -> str:
     lead = lead or _rules_inputs.same_number(results, rights) or _not_a_number(results, rights, cases)
     lead = lead or _of_another_form(results, rights, close) or _of_matrices(answer, cases, good, names)
     lead = lead or (_fixed_size(exercise, answer) if "should be an array of shape" in words else "")
-    lead = lead or _size(results, rights, cases) or (not exercise.slow and _rules_inputs.blind(answer, exercise, close))
+    lead = lead or _size(results, rights, cases)
+    if not lead and not exercise.slow and all(map(_rules_inputs.real, results)):
+        lead = _rules_inputs.blind(answer, exercise, close)
     if not lead:
         placed = _placed(results, rights, close)
         if placed:  # the trial in which the most entries differ

@@ -68,6 +68,7 @@ def test_more_than_is_wanted_can_be_read(each, more):
 def test_text_is_called_text(each):
     outcome = each.check(lambda *inputs: str(each._solve(*inputs)))
     assert outcome.status == "wrong" and ("text" in outcome.sentence or "type str" in outcome.sentence), outcome
+    assert "get lost" not in each.check(lambda *inputs: "a formula").sentence
 
 
 @pytest.mark.parametrize("each", VALUES, ids=lambda each: each.name)
