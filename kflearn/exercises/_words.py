@@ -27,8 +27,9 @@ def plain(text, choices) -> str:
     'd'
     """
     whole = re.sub(r"^the +", "", text.strip(" .!()'\"“”").casefold())
-    if whole in choices:
-        return whole
+    for said in (whole, re.sub(r" +(?:is|was|has become) +", " ", whole)):  # "g is too large"
+        if said in choices:
+            return said
     letter = LETTER.fullmatch(text.strip(" .!'\"“”").casefold())
     named = next(filter(None, letter.groups()), None) if letter else None
     if named in choices:

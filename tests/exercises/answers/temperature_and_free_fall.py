@@ -98,6 +98,7 @@ def old_P(x, P, room, reading, Q, R):
 
 RIGHT = [
     ("room_filter", package),
+    ("suspect", "g is too large"),
 ]
 
 
