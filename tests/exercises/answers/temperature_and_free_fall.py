@@ -103,7 +103,7 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
-    ("suspect", "g is too small", "Read as “g too small”", "among the choices"),
+    ("suspect", "g is too small", "the filter expects the stone too high", "among the choices"),
     ("suspect", "Q too small", "A wrong Q changes the NIS", "among the choices"),
     ("suspect", "nothing is wrong", "Here they average +1.5 m", "among the choices"),
     ("room_filter", room_from(24.9, 0.25), "Your filter starts at 24.9 °C, with P = 0.25"),
