@@ -56,7 +56,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     lead = lead or _of_the_notebook(answer, names)
     lead = lead or _rules_inputs.same_number(results, rights) or _not_a_number(results, rights, cases)
     lead = lead or _of_another_form(results, rights, close) or _of_matrices(answer, cases, good, names)
-    lead = lead or (_fixed_size(exercise, answer) if "should be an array of shape" in words else "")
+    lead = lead or (_fixed_size(exercise, answer) if _typed_shape(words, _code_of.text_of(answer) or "") else "")
     lead = lead or _size(results, rights, cases)
     if not lead and not exercise.slow and all(map(_rules_inputs.real, results)):
         lead = _rules_inputs.blind(answer, exercise, close)
@@ -110,6 +110,14 @@ def _of_the_diagonal(answer):
 def _several_sizes(exercise):
     """Whether the arrays of the trials have several sizes."""
     return len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
+
+
+def _typed_shape(words, text):
+    """Whether an array has another length than is wanted, and this length is typed into the function."""
+    found = re.search(r"should be an array of shape \(([\d, ]+)\), but it is an array of shape \(([\d, ]+)\)", words)
+    wanted, given = (re.findall(r"\d+", part) for part in found.groups()) if found else ([], [])
+    others = [mine for mine, right in zip(given, wanted, strict=False) if mine != right]
+    return any(re.search(rf"\({length}\)", text) for length in others)
 
 
 def _fixed_size(exercise, answer):

@@ -24,7 +24,14 @@ RIGHT = [
 ]
 
 
+def as_a_belief(z, T):
+    speed = (z[:, 1] - z[:, 0]) / T
+    state = np.stack([z[:, 1, 0], speed[:, 0], z[:, 1, 1], speed[:, 1]], axis=-1)
+    return state, np.kron(np.eye(2), [[1e4, 5e3], [5e3, 5e3]])
+
+
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
+    ("mended_start", as_a_belief, "should be an array of shape", "fixed size"),
     ("wrong_push", "twice as large", "By no factor", "among the choices"),
     ("blended_sigma", 20, "wider than each of the two"),
     ("blended_sigma", 56, "900 m² and 2236 m² more"),
