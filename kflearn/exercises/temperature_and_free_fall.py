@@ -25,7 +25,7 @@ def rooms(rng):
     inputs=rooms,
     wrong=slips.mended_step.WRONG,
     fixed={"room": "the truth, at which the right step does not look"},
-    then="With the truth in place of the reading the error looks a third smaller or more than it would in a real room, where nobody knows the truth.",
+    then="With the truth in place of the reading the error looks clearly smaller than it would in a real room, where nobody knows the truth.",
 )
 def mended_step(x, P, room, reading, Q, R):
     """One step of the random walk's filter: the estimate and its standard deviation. `room` is the truth."""
