@@ -213,6 +213,9 @@ def _relatives(given, right):
         yield f"is {10 ** abs(power)} times too {'large' if power > 0 else 'small'}", right * 10.0**power
 
 
+BETWEEN = r"[,;+&]|\b(?:and|or|then)\b"  # what stands between two choices
+
+
 def chosen(answer, choices=frozenset()) -> frozenset:
     """A choice as a set of plain words: "B)" is {"b"}, "A, C" is {"a", "c"}, 3 is {"3"}, True is {"true"}.
 
@@ -224,9 +227,7 @@ def chosen(answer, choices=frozenset()) -> frozenset:
         whole = plain(answer, choices)
         if whole in choices:
             return frozenset({whole})
-        found = frozenset(
-            part.strip(" .()").casefold() for part in re.split(r"[,;+&]|\band\b|\bor\b|\bthen\b", answer)
-        ) - {""}
+        found = frozenset(part.strip(" .()").casefold() for part in re.split(BETWEEN, answer)) - {""}
         letters = frozenset(whole.replace(" ", ""))
         return letters if letters and letters <= choices and not found <= choices else found
     if isinstance(answer, bool):

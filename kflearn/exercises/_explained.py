@@ -56,8 +56,7 @@ def explained(exercise, answer, results, rights, faults) -> str:
     lead = lead or _of_the_notebook(answer, names)
     lead = lead or _rules_inputs.same_number(results, rights) or _not_a_number(results, rights, cases)
     lead = lead or _of_another_form(results, rights, close) or _of_matrices(answer, cases, good, names)
-    lead = lead or (_fixed_size(exercise, answer) if _typed_shape(words, _code_of.text_of(answer) or "") else "")
-    lead = lead or _size(results, rights, cases)
+    lead = lead or _fixed_size(exercise, answer, _wrong_lengths(words)) or _size(results, rights, cases)
     if not lead and not exercise.slow and all(map(_rules_inputs.real, results)):
         lead = _rules_inputs.blind(answer, exercise, close)
     if not lead:
@@ -112,17 +111,17 @@ def _several_sizes(exercise):
     return len({tuple(map(np.shape, each)) for each in exercise.cases}) > 1
 
 
-def _typed_shape(words, text):
-    """Whether an array has another length than is wanted, and this length is typed into the function."""
-    found = re.search(r"should be an array of shape \(([\d, ]+)\), but it is an array of shape \(([\d, ]+)\)", words)
-    wanted, given = (re.findall(r"\d+", part) for part in found.groups()) if found else ([], [])
-    others = [mine for mine, right in zip(given, wanted, strict=False) if mine != right]
-    return any(re.search(rf"\({length}\)", text) for length in others)
+def _wrong_lengths(words):
+    """The lengths of an array, in a sentence about its shape, where others are wanted."""
+    shapes = re.search(r"should be an array of shape \(([\d, ]+)\), but it is an array of shape \(([\d, ]+)\)", words)
+    wanted, given = (re.findall(r"\d+", part) for part in shapes.groups()) if shapes else ([], [])
+    return [mine for mine, right in zip(given, wanted, strict=False) if mine != right]
 
 
-def _fixed_size(exercise, answer):
-    """What is said of a call such as np.eye(2) in a function's text, where the trials have several sizes."""
-    found = re.search(r"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(\d\)", _code_of.text_of(answer) or "")
+def _fixed_size(exercise, answer, lengths="123456789"):
+    """What is said of a call such as np.eye(2) in a function's text, with one of these lengths, where the trials have several."""
+    call = rf"(np\.|numpy\.)?(eye|identity|zeros|ones|arange)\(({'|'.join(lengths)})\)"
+    found = re.search(call, _code_of.text_of(answer) or "") if lengths else None
     if not found or not _several_sizes(exercise):
         return ""
     fits = "the identity that fits is `np.eye(len(x))`" if found[2] in ("eye", "identity") else "`len(x)` fits"
@@ -224,7 +223,7 @@ def _size(results, rights, cases):
         same = all(np.allclose(row[np.isfinite(row)], one, rtol=1e-6) for row, one in zip(ratios, first, strict=True))
     except (IndexError, TypeError, ValueError):
         return ""
-    if same and first.any() and len(set(sizes)) > 2:
+    if same and len(set(sizes)) > 2:
         for power in (1, -1, 0.5, -0.5):
             if np.allclose(first / sizes**power, first[0] / sizes[0] ** power, rtol=1e-6):
                 return "The result is wrong by a factor that follows how many numbers come in: is one of these numbers typed in, or a division by `len(...)`, as in `np.mean`, missing or one too many?"

@@ -34,12 +34,13 @@ def unlike(answer, shape):
     """What is said of a result that is not one array of this shape; None of one that is."""
     if isinstance(answer, tuple) and len(answer) != shape[0]:
         return f"is a tuple of {len(answer)} items: one array of shape {shape} is wanted"
-    if not isinstance(answer, (np.ndarray, np.generic, list, tuple, int, float)):
-        return f"is of type {type(answer).__name__}: an array of shape {shape} is wanted"
     try:
-        found = np.shape(answer)
+        array = np.asarray(answer)
     except ValueError:
         return f"is a list of rows of different lengths: an array of shape {shape} is wanted"
+    if array.dtype.kind not in "biuf" and not array.ndim:  # a text, a set, a function
+        return f"is of type {type(answer).__name__}: an array of shape {shape} is wanted"
+    found = array.shape
     return None if found == shape else f"should be of shape {shape}, but is {found}"
 
 

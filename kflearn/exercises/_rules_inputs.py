@@ -47,7 +47,8 @@ def as_if(results, exercise, close) -> str | None:
     Nothing is said where True or False is wanted: in so few bits too much looks alike; nor of NaN alone, or the same
     number in all trials.
     """
-    if same_number(results, []) or not _finite(results):
+    numbers = _numbers(results)
+    if numbers is None or not np.isfinite(numbers).any() or np.ptp(numbers) == 0:
         return None
     cases, names = exercise.cases, exercise.parameters
     if isinstance(exercise._solve(*copy.deepcopy(cases[0])), (bool, np.bool_)):
@@ -104,18 +105,18 @@ def _moves(function, solve, case, i, close, change):
 
 def same_number(results, rights) -> str:
     """What is said of results that hold one number, the same in all trials; empty of others."""
-    arrays = [array for each in results for array in real(each) or [np.array([0.0, 1.0])]]  # no numbers: no constant
-    numbers = np.concatenate([np.ravel(array) for array in arrays])
-    if not numbers.size or np.ptp(numbers) != 0:  # NaN too
+    numbers, wanted = _numbers(results), _numbers(rights)
+    if numbers is None or not numbers.size or np.ptp(numbers) != 0:  # the span of NaN is NaN
         return ""
     what = "The result is" if len(numbers) == len(results) else "All numbers of the result are"
-    small = not numbers.any() and all(np.all(abs(array) < 1) for each in rights for array in real(each) or [])
-    return f"{what} {show(numbers[0])}, in every trial{': do `//` or `int` cut it off' if small else ''}{'?' if small else '.'}"
+    cut = not numbers.any() and wanted is not None and np.all(abs(wanted) < 1)
+    return f"{what} {show(numbers[0])}, in every trial{': do `//` or `int` cut it off?' if cut else '.'}"
 
 
-def _finite(results):
-    """Whether any number in the results is finite."""
-    return any(np.isfinite(array).any() for each in results for array in real(each) or [])
+def _numbers(results):
+    """All numbers of all results in one row; None where something is no real number."""
+    arrays = [real(each) for each in results]
+    return None if None in arrays else np.concatenate([np.ravel(array) for each in arrays for array in each])
 
 
 def real(result):

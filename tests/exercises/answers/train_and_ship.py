@@ -145,7 +145,7 @@ RIGHT = [
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
-    ("data_sheet", 2 * (6 / 1.18) ** 2, "the errors of both axes"),
+    ("data_sheet", 2 * (6 / 1.18) ** 2, "both axes together"),
     ("data_sheet", 6 / 1.18**2, "with the 6 m not squared", "too low"),
     ("two_point_start", on_the_diagonal, "P holds its square, the variance", "was expected"),
     ("report", named("train_and_ship.report", "mean", "RMS"), DICTIONARY),

@@ -113,7 +113,7 @@ def times_S(z, expected, S, detection, clutter):
 
 
 TOLD = [  # exercise, answer, words of the reply; some: words that are not in it
-    ("weights", lambda *given: times_S(*given), "as if no reading were in the gate"),
+    ("weights", times_S, "as if no reading were in the gate"),
     ("false_in_gate", 0.2, "a gate of 400 m²"),
     ("zeros", [2, 7], "There is no reading 7"),
     ("boat", tracker(nearest, np.inf), "200 m from where the boat must be moves your boat"),

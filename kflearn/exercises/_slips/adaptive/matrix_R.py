@@ -92,7 +92,7 @@ WRONG = {
         "P is missing between H and Hᵀ: the prediction's doubt, seen by the sensors, is H P Hᵀ.",
     ),
     "the last thirty": (
-        lambda y, H, P: y[-30:].T @ y[-30:] / len(y[-30:]) - H @ P @ H.T,
+        lambda y, H, P: estimate(y[-30:], H, P),
         "You use the last 30 innovations only. Here C is the mean over all that are given.",
     ),
     "P for H P Hᵀ": (

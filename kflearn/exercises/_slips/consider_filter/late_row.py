@@ -108,7 +108,7 @@ WRONG = {
     ),
     "row first, plain form": (
         correct_with(lambda K, full, P, H, R, c: (np.eye(len(P)) - K @ H) @ P),
-        "Your P has its row of the bias, but it is not symmetric, as (9) makes it for a gain that is not the best. Set the row of K to zero first, then use (9J) with that K.",
+        "The bias keeps its row of P, but your P is not symmetric: (9) holds for the best gain only. Set the row of K to zero first, then use (9J) with that K.",
     ),
     "row first, symmetrised": (
         correct_with(half_symmetric),

@@ -6,6 +6,7 @@ import numpy as np
 
 SIGMA = 6 / math.sqrt(2 * math.log(2))
 
+BOTH = "That is the mean square distance, both axes together. R wants the variance of one axis: half of it."
 HALVED = "That is half of R. R is already the one of each axis: do not halve it."
 
 
@@ -33,7 +34,7 @@ WRONG = {
     ),
     "both axes": (
         lambda: 2 * 36 / (2 * math.log(2)),
-        "That is the mean square distance, both axes together. R wants the variance of one axis: half of it.",
+        BOTH,
     ),
     "multiplied": (
         lambda: 36 * 2 * math.log(2),
@@ -129,6 +130,6 @@ WRONG = {
     ),
     "both axes, from 1.18": (
         lambda: 2 * (6 / 1.18) ** 2,
-        "51.7 is 2σ², the errors of both axes added up. R is the variance of one axis, σ².",
+        BOTH,
     ),
 }

@@ -288,7 +288,7 @@ WRONG = (
             first_alone,
             "That is the first weight, and it is right. Return those of the readings as well, (N + 1,) in all.",
         ),
-        "times S": (
+        "nothing in the gate": (
             lambda *given: weighed(
                 *given,
                 e=lambda nis, z, expected, S, *others: np.exp(-((z - expected) ** 2) * S / 2),
